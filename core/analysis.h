@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/directional_map.h"
+#include "core/image.h"
+
+namespace core {
+
+/// One layer of surface: what the photograph shows (front) or what is assumed behind it (back).
+struct Surface {
+    ImageF depth;      ///< planar z [m], 0 = none
+    ImageV3 normal;    ///< unit, outward: front n·p < 0, back n·p > 0; zero where there is no surface
+    ImageV3 position;  ///< [m], camera frame; zero where there is no surface
+    ImageF area;       ///< patch area [m²], z³/(fx·fy·|n·p|) (DESIGN 3.1); 0 where there is no surface
+    ImageRgb color;    ///< radiance: the photograph, or its mirror image on the back
+};
+
+/// What was found out about one glossy segment (DESIGN 3.3).
+struct Reflectance {
+    std::uint16_t label = 0;
+    Vector3f rho{1, 1, 1};       ///< reflected over incident, per channel; the value in use (the user's, when given)
+    bool reliable = false;       ///< false: too few directions known by both maps, rho is clamped or a default
+    float commonSolidAngle = 0;  ///< solid angle known by both maps [sr]
+    DirectionalMap reflected;    ///< L_S
+    DirectionalMap incident;     ///< L_G
+};
+
+/// Result of the analysis: stages 3.1 to 3.4. Parts are shared, so that a change recomputes only what it invalidates.
+struct Analysis {
+    std::shared_ptr<const Surface> front;
+    std::shared_ptr<const Surface> back;
+    std::vector<std::shared_ptr<const Reflectance>> reflectances;  ///< one per glossy segment, in label order
+    std::shared_ptr<const DirectionalMap> environment;
+
+    [[nodiscard]] const Reflectance* findReflectance(std::uint16_t label) const;
+};
+
+}  // namespace core

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "core/image.h"
+
+namespace core {
+
+/// Fresnel factor of the specular lobe. None = `specular` at every angle; Schlick with F0 = `specular`; Dielectric and
+/// Conductor from `eta` (and `k`), scaled by `specular`. The values are those of shaders/brdf/fresnel.h.
+enum class Fresnel { None = 0, Schlick = 1, Dielectric = 2, Conductor = 3 };
+
+/// Multiple scattering below the surface, dipole diffusion (DESIGN 3.6, [JMLH01]). Coefficients in 1/mm as published;
+/// converted to 1/m once, in `dipoleFromTranslucency`.
+struct Translucency {
+    std::string preset;                          ///< name it was filled from, "" when given by hand
+    Vector3f sigmaA{0.0021f, 0.0041f, 0.0071f};  ///< absorption [1/mm]; default: marble
+    Vector3f sigmaSPrime{2.19f, 2.62f, 3.00f};   ///< reduced scattering [1/mm]
+    float eta = 1.3f;                            ///< relative index of refraction; 1 = index-matched (A = 1, F_t = 1)
+    float scale = 1;   ///< multiplies every length of the object (2 = twice as large, less translucent)
+    float weight = 1;  ///< factor on the translucent radiance
+
+    bool operator==(const Translucency&) const = default;
+};
+
+/// How many scalar parameters a BRDF may declare in its table (shaders/brdf/*.h).
+inline constexpr int kBrdfValueCount = 4;
+
+/// The material a segment is edited to.
+struct Material {
+    std::string brdf = "ggx";                     ///< key in shaders/brdf/registry.h; "none" reflects nothing
+    Vector3f albedo{0.5f, 0.5f, 0.5f};            ///< diffuse albedo, [0, 1]
+    std::optional<Vector3f> specular;             ///< specular colour; nullopt = the segment's estimated reflectance ρ
+    std::array<float, kBrdfValueCount> values{};  ///< the BRDF's own parameters, in its table's order
+    Fresnel fresnel = Fresnel::None;
+    Vector3f eta{1.5f, 1.5f, 1.5f};  ///< index of refraction (real part), for Dielectric and Conductor
+    Vector3f k{0, 0, 0};             ///< extinction coefficient, for Conductor
+    float blendNew = 1;              ///< weight of the re-shaded radiance
+    float blendOriginal = 0;         ///< weight of the photograph
+    std::optional<Translucency> translucency;
+
+    bool operator==(const Material&) const = default;
+};
+
+}  // namespace core

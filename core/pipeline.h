@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/analysis.h"
+#include "core/scene.h"
+#include "core/step_context.h"
+
+namespace core {
+
+/// The processing graph, in order. An edit names the first stage it touches; everything after it may be stale.
+enum class Stage { Input, Geometry, BackSide, Reflectance, Environment, Irradiance, Reshade, Composite, Display };
+
+/// First stage whose result differs between two scenes; Display when nothing that is computed changed.
+[[nodiscard]] Stage firstChangedStage(const Scene& before, const Scene& after);
+
+/// Runs the analysis steps (core/steps, one file each, listed in pipeline.cpp) and keeps their results by the hash of
+/// each step's inputs and parameters, so that a second run recomputes only what changed. One thread at a time.
+class AnalysisPipeline {
+  public:
+    AnalysisPipeline();
+    ~AnalysisPipeline();
+    AnalysisPipeline(const AnalysisPipeline&) = delete;
+    AnalysisPipeline& operator=(const AnalysisPipeline&) = delete;
+
+    /// Throws Error(Cancelled) when the context asks to stop (the cache stays valid) and Error(Input) when the scene
+    /// cannot be analysed (no valid depth at all).
+    [[nodiscard]] std::shared_ptr<const Analysis> run(const Scene& scene, const StepContext& context = StepContext());
+
+  private:
+    struct Cache;
+    std::unique_ptr<Cache> cache_;
+};
+
+}  // namespace core

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "core/analysis.h"
+#include "core/scene.h"
+#include "core/step_context.h"
+#include "gpu/command_encoder.h"
+#include "gpu/device.h"
+#include "gpu/texture.h"
+
+namespace render {
+
+/// Progressive renderer of the edits: re-shading (DESIGN 3.5), translucency (3.6), filter and composite.
+///
+/// It records, its caller submits: in the window the encoder wraps the frame's own command buffer, headless a loop
+/// submits to a device of its own. One thread. The same seed and scene give the same pixels on any schedule of slices.
+class Renderer {
+  public:
+    explicit Renderer(gpu::Device device);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// What to render from now on. Compares with what it has: a new analysis uploads geometry, a changed edit restarts
+    /// that segment's accumulation, changed blend weights restart nothing. Uploads happen in the next `record`.
+    void setScene(const core::Scene& scene, std::shared_ptr<const core::Analysis> analysis);
+
+    /// Writes the next slice of work, sized for `budgetSeconds` of device time by what earlier slices took, and the
+    /// composite of all that is accumulated so far. Returns false when there was nothing left to do.
+    bool record(gpu::CommandEncoder& encoder, double budgetSeconds);
+
+    struct Progress {
+        int samples = 0;  ///< completed samples per pixel, the least over all edited segments
+        int target = 0;
+        bool finished = false;
+        float fraction = 0;                ///< of all work, [0, 1]
+        std::uint64_t droppedSamples = 0;  ///< NaN or Inf paths left out; must be 0
+    };
+    [[nodiscard]] Progress progress() const;
+
+    /// The edited photograph so far: rgba32float, scene-linear, the photo's size; valid after the first `record`.
+    [[nodiscard]] gpu::Texture result() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Renders to the end on `device` and returns the edited photograph.
+[[nodiscard]] core::ImageRgb renderImage(gpu::Device device, const core::Scene& scene,
+                                         const std::shared_ptr<const core::Analysis>& analysis,
+                                         const core::StepContext& context = core::StepContext());
+
+}  // namespace render
