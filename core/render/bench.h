@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/analysis.h"
+#include "core/scene.h"
+#include "core/step_context.h"
+#include "gpu/device.h"
+
+namespace render {
+
+/// One measured number, for example {"march", "rays_per_second.pyramid", 5.1e6, "1/s"}.
+struct BenchResult {
+    std::string name;
+    std::string metric;
+    double value = 0;
+    std::string unit;
+};
+
+/// The benchmarks there are, in the order they run: march, reshade, translucency, analyse.
+[[nodiscard]] const std::vector<std::string>& benchmarkNames();
+
+/// Runs the named benchmarks (all of them when `names` is empty) on the device and returns their metrics (DESIGN 5).
+/// Metrics of algorithms this build does not have are absent. Throws core::Error(Usage) for an unknown name,
+/// Error(Input) when the scene has nothing to measure (no segment, no valid depth), Error(Cancelled) when stopped.
+[[nodiscard]] std::vector<BenchResult> runBenchmarks(const std::vector<std::string>& names, gpu::Device device,
+                                                     const core::Scene& scene,
+                                                     const std::shared_ptr<const core::Analysis>& analysis,
+                                                     const core::StepContext& context = core::StepContext());
+
+}  // namespace render

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parameters of march_rays.comp.
+#ifndef PATINA_MARCH_BLOCK_H
+#define PATINA_MARCH_BLOCK_H
+
+#include "shaders/shared/interop.h"
+
+#define MARCH_BLOCK 0
+#define MARCH_RAYS 1  // two vec4 per ray: origin [m], direction (unit)
+#define MARCH_HITS 2  // one vec4 per ray: x, y (-1 = none), 1 = entered through the back layer, distance [m]
+
+#define MARCH_PYRAMID 0
+#define MARCH_CONSTANT 1
+
+KERNEL_BEGIN
+
+struct MarchBlock {
+    uint rayCount;
+    uint method;        // MARCH_PYRAMID or MARCH_CONSTANT
+    float stepSize;     // constant steps only [m]
+    float maxDistance;  // constant steps only [m]
+};
+KERNEL_BLOCK(MarchBlock, 16)
+
+KERNEL_END
+
+#endif
