@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "gpu/handle.h"
+#include "gpu/types.h"
+
+namespace gpu {
+
+struct BufferDescriptor {
+    std::string label = {};
+    std::uint64_t size = 0;  ///< bytes, > 0
+    BufferUsage usage = BufferUsage::None;
+    bool mappedAtCreation = false;  ///< mapped for writing until the first unmap(), whatever the usage
+};
+
+using BufferMapCallback = std::function<void(MapAsyncStatus status, std::string_view message)>;
+
+/// A block of memory of the device, zero when new.
+class Buffer : public Handle<detail::BufferImpl> {
+  public:
+    using Handle::Handle;
+
+    [[nodiscard]] std::uint64_t size() const;  ///< bytes
+    [[nodiscard]] BufferUsage usage() const;
+    [[nodiscard]] const std::string& label() const;
+    [[nodiscard]] BufferMapState mapState() const;
+
+    /// Asks for access by the CPU once all work submitted so far has completed. The callback comes from tick() or a
+    /// later call on this thread, never from mapAsync itself; unmap() before that aborts it. `size` may be kWholeSize.
+    /// A buffer that is mapped or about to be cannot be used by a submission.
+    void mapAsync(MapMode mode, std::uint64_t offset, std::uint64_t size, BufferMapCallback callback) const;
+    /// The mapped bytes from `offset` (of the buffer); within the mapped range only.
+    [[nodiscard]] void* getMappedRange(std::uint64_t offset = 0, std::uint64_t size = kWholeSize) const;
+    [[nodiscard]] const void* getConstMappedRange(std::uint64_t offset = 0, std::uint64_t size = kWholeSize) const;
+    /// Ends the mapping, or aborts one that is pending; pointers into it are invalid afterwards.
+    void unmap() const;
+};
+
+}  // namespace gpu
