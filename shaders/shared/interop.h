@@ -48,6 +48,16 @@ struct alignas(8) uvec2 {
     uvec2() = default;
     uvec2(uint x_, uint y_) : x(x_), y(y_) {}
 };
+struct uvec3 {
+    uint x = 0, y = 0, z = 0;
+    uvec3() = default;
+    uvec3(uint x_, uint y_, uint z_) : x(x_), y(y_), z(z_) {}
+};
+struct alignas(16) uvec4 {
+    uint x = 0, y = 0, z = 0, w = 0;
+    uvec4() = default;
+    uvec4(uint x_, uint y_, uint z_, uint w_) : x(x_), y(y_), z(z_), w(w_) {}
+};
 
 inline vec2 operator+(vec2 a, vec2 b) { return {a.x + b.x, a.y + b.y}; }
 inline vec2 operator-(vec2 a, vec2 b) { return {a.x - b.x, a.y - b.y}; }
@@ -113,6 +123,10 @@ inline vec3 exp(vec3 a) { return {std::exp(a.x), std::exp(a.y), std::exp(a.z)}; 
 KERNEL_BEGIN
 const float kPi = 3.14159265358979f;
 const float kInvPi = 0.318309886183791f;
+
+KERNEL_FN vec3 rgb(vec4 v) { return vec3(v.x, v.y, v.z); }
+/// Rec.709 luminance of a scene-linear colour.
+KERNEL_FN float luminance(vec3 c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
 KERNEL_END
 
 #endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any BRDF by its id: the one header a kernel or the reference renderer includes. All directions are unit length in the
+// shading frame (n = +z) and point away from the surface; functions are zero when either is below the horizon.
+//
+// A BRDF called X is five things in shaders/brdf/X.h:
+//   vec3 X_eval(b, wo, wi)    the BRDF [1/sr], without the cosine
+//   float X_pdf(b, wo, wi)    density of X_sample [1/sr] over the upper hemisphere; 1 − its integral is absorbed
+//   vec3 X_sample(b, wo, u)   direction from two uniform numbers; wi.z <= 0: the path is absorbed
+//   vec3 X_weight(b, wo, wi)  eval · cos / pdf in closed form, finite wherever X_sample can go
+//   X_table                   its description and parameters (core::BrdfTable), C++ only
+#ifndef PATINA_BRDF_H
+#define PATINA_BRDF_H
+
+#include "shaders/brdf/registry.h"
+
+KERNEL_BEGIN
+
+#define BRDF_CASE(id, name) \
+    case id:                \
+        return name##_eval(b, wo, wi);
+KERNEL_FN vec3 brdf_eval(BrdfParams b, vec3 wo, vec3 wi) {
+    switch (int(b.type)) {
+        BRDF_LIST(BRDF_CASE)
+        default:
+            return vec3(0.0f);
+    }
+}
+#undef BRDF_CASE
+
+#define BRDF_CASE(id, name) \
+    case id:                \
+        return name##_pdf(b, wo, wi);
+KERNEL_FN float brdf_pdf(BrdfParams b, vec3 wo, vec3 wi) {
+    switch (int(b.type)) {
+        BRDF_LIST(BRDF_CASE)
+        default:
+            return 0.0f;
+    }
+}
+#undef BRDF_CASE
+
+#define BRDF_CASE(id, name) \
+    case id:                \
+        return name##_sample(b, wo, u);
+KERNEL_FN vec3 brdf_sample(BrdfParams b, vec3 wo, vec2 u) {
+    switch (int(b.type)) {
+        BRDF_LIST(BRDF_CASE)
+        default:
+            return vec3(0.0f, 0.0f, -1.0f);
+    }
+}
+#undef BRDF_CASE
+
+#define BRDF_CASE(id, name) \
+    case id:                \
+        return name##_weight(b, wo, wi);
+KERNEL_FN vec3 brdf_weight(BrdfParams b, vec3 wo, vec3 wi) {
+    switch (int(b.type)) {
+        BRDF_LIST(BRDF_CASE)
+        default:
+            return vec3(0.0f);
+    }
+}
+#undef BRDF_CASE
+
+KERNEL_END
+
+#endif

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The list of BRDFs. The number is the id in files and kernels: never reuse one. The name is the key in files, the
+// prefix of the functions in shaders/brdf/<name>.h and the word on the command line.
+#ifndef PATINA_BRDF_REGISTRY_H
+#define PATINA_BRDF_REGISTRY_H
+
+#include "shaders/brdf/ggx.h"
+#include "shaders/brdf/lambert.h"
+#include "shaders/brdf/none.h"
+#include "shaders/brdf/phong.h"
+
+#define BRDF_LIST(X) X(0, none) X(1, lambert) X(2, phong) X(3, ggx)
+
+#endif

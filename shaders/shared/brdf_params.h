@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The material of one segment as kernels read it; the same bytes in C++, std140 and std430.
+#ifndef PATINA_BRDF_PARAMS_H
+#define PATINA_BRDF_PARAMS_H
+
+#include "shaders/shared/interop.h"
+
+KERNEL_BEGIN
+
+struct BrdfParams {
+    vec4 albedo;    // rgb = diffuse albedo, [0, 1]
+    vec4 specular;  // rgb = specular colour, w = Fresnel mode (shaders/brdf/fresnel.h)
+    vec4 eta;       // rgb = index of refraction, real part
+    vec4 k;         // rgb = extinction coefficient
+    vec4 values;    // the BRDF's own parameters, in its table's order
+    uint type;      // index in shaders/brdf/registry.h
+    uint pad0;
+    uint pad1;
+    uint pad2;
+};
+KERNEL_BLOCK(BrdfParams, 96)
+
+KERNEL_END
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Counter-based random numbers: a pure function of (pixel, sample, dimension, seed), the same bits in GLSL and C++, so
+// that a picture does not depend on the order in which its samples are drawn.
+#ifndef PATINA_RNG_H
+#define PATINA_RNG_H
+
+#include "shaders/shared/interop.h"
+
+KERNEL_BEGIN
+
+/// Four-dimensional PCG hash [JO20]: four well-mixed words from four counters.
+KERNEL_FN uvec4 rng_hash(uvec4 v) {
+    uint x = v.x * 1664525u + 1013904223u;
+    uint y = v.y * 1664525u + 1013904223u;
+    uint z = v.z * 1664525u + 1013904223u;
+    uint w = v.w * 1664525u + 1013904223u;
+    x += y * w;
+    y += z * x;
+    z += x * y;
+    w += y * z;
+    x ^= x >> 16;
+    y ^= y >> 16;
+    z ^= z >> 16;
+    w ^= w >> 16;
+    x += y * w;
+    y += z * x;
+    z += x * y;
+    w += y * z;
+    return uvec4(x, y, z, w);
+}
+
+/// The upper 24 bits as a float in [0, 1), exact in both languages.
+KERNEL_FN float rng_to_float(uint bits) { return float(bits >> 8) * (1.0f / 16777216.0f); }
+
+/// Uniform in [0, 1). Dimension d is word d mod 4 of the hash at d / 4.
+KERNEL_FN float rng_float(uint pixel, uint sampleIndex, uint dimension, uint seed) {
+    uvec4 h = rng_hash(uvec4(pixel, sampleIndex, dimension >> 2, seed));
+    uint word = dimension & 3u;
+    return rng_to_float(word == 0u ? h.x : word == 1u ? h.y : word == 2u ? h.z : h.w);
+}
+
+/// Dimensions (dimension, dimension + 1) with one hash; `dimension` must be even.
+KERNEL_FN vec2 rng_vec2(uint pixel, uint sampleIndex, uint dimension, uint seed) {
+    uvec4 h = rng_hash(uvec4(pixel, sampleIndex, dimension >> 2, seed));
+    bool low = (dimension & 2u) == 0u;
+    return vec2(rng_to_float(low ? h.x : h.z), rng_to_float(low ? h.y : h.w));
+}
+
+/// Seed of a separate sequence (a segment's surface samples), unrelated to that of other streams and of the picture.
+KERNEL_FN uint rng_stream(uint seed, uint stream) { return rng_hash(uvec4(seed, stream, 0x5bd1e995u, 0x9e3779b9u)).x; }
+
+KERNEL_END
+
+#endif
