@@ -14,12 +14,21 @@ namespace core {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
+/// What pixels start as: zero, also for Eigen types, whose default constructor leaves them uninitialised.
+template <class T>
+[[nodiscard]] T zeroPixel() {
+    if constexpr (requires { T::Zero(); })
+        return T::Zero();
+    else
+        return T{};
+}
+
 /// Row-major pixels, row 0 at the top. Pixel (x, y) covers [x, x+1) × [y, y+1); its centre is (x+0.5, y+0.5).
 template <class T>
 class Image {
   public:
     Image() = default;
-    Image(int width, int height, const T& value = T{})
+    Image(int width, int height, const T& value = zeroPixel<T>())
         : width_(width),
           height_(height),
           pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), value) {}

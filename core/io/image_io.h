@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/directional_map.h"
@@ -12,8 +13,13 @@ namespace core {
 inline constexpr int kMaxImageSide = 32768;
 inline constexpr long kMaxImagePixels = 200'000'000;
 
-/// Colour as scene-linear Rec.709: 8/16-bit files are decoded by their ICC profile or transfer function (sRGB when
-/// they say nothing), float files are taken as linear. NaN and Inf become 0, negative values are clamped to 0.
+// Reading. The format is recognised by content, not by name: EXR, PNG, TIFF, JPEG, PFM (and PGM, PPM), HDR. Every
+// failure is an Error(Input) that names the file. An image is returned as it is displayed: its own EXIF orientation is
+// applied, and an EXR data window is placed in its display window (zero outside).
+
+/// Colour as scene-linear Rec.709: integer files are decoded by their ICC profile, else their gamma, else sRGB; float
+/// files are taken as linear, in the primaries they name, else Rec.709. R, G, B by name, plain or in a layer; a single
+/// channel is grey. Alpha is ignored. NaN and Inf become 0, negative values are clamped to 0.
 [[nodiscard]] ImageRgb loadColor(const std::string& path);
 /// One channel of stored values as float, undecoded (16-bit PNG gives 0..65535); channel Z, else Y, else the first.
 [[nodiscard]] ImageF loadScalar(const std::string& path);
@@ -23,19 +29,38 @@ struct StoredFormat {
     bool floating = false;
 };
 [[nodiscard]] StoredFormat storedFormat(const std::string& path);
-/// Label map: 8 or 16-bit integers, or an indexed/grey picture.
+/// What a file says about itself, without reading its pixels.
+struct ImageInfo {
+    int width = 0;   ///< as displayed (orientation applied)
+    int height = 0;  ///< as displayed
+    int orientation = 1;                ///< EXIF, 1..8
+    std::optional<float> focal35mm;     ///< 35 mm equivalent focal length [mm], when > 0
+    bool hasDepthChannel = false;       ///< a channel called Z
+    StoredFormat format;
+};
+[[nodiscard]] ImageInfo readImageInfo(const std::string& path);
+/// Label map: 8 or 16-bit integers (floats when they are whole numbers), palette pictures by index. JPEG is refused.
 [[nodiscard]] LabelImage loadLabels(const std::string& path);
 
+// Writing. The target is replaced atomically: an existing file is never left half written, and survives any failure.
+// Throws Error(Output) when it cannot be written, Error(Usage) for an extension the content cannot be stored in.
+
 /// Scene-linear colour to a file whose extension says the format: exr, hdr linear; png (16 bit), tif (16 bit), jpg
-/// sRGB-encoded and clipped to [0, 1]. Throws Error(Output) when it cannot be written, Error(Usage) for an unknown
-/// extension. Writes to a temporary file first: an existing file is never left half written.
+/// sRGB-encoded and clipped to [0, 1].
 void saveColor(const ImageRgb& image, const std::string& path);
-/// Scalars as they are: exr, tif and hdr keep floats; png stores `value * pngScale` rounded to 16 bit.
+/// Scalars as they are: exr (one channel with the given name), tif and hdr keep floats; png stores `value * pngScale`
+/// rounded to 16 bit. No jpg.
 void saveScalar(const ImageF& image, const std::string& path, const std::string& channel, float pngScale = 1000.0f);
-/// Vectors in [-1, 1] or metres: exr as x, y, z channels named R, G, B; 8/16-bit formats as 0.5 + 0.5·v.
+/// Vectors in [-1, 1] or metres: exr and float tif as x, y, z channels named R, G, B; png and jpg as 0.5 + 0.5·v,
+/// clipped. No hdr.
 void saveVectors(const ImageV3& image, const std::string& path);
+/// png and tif (8 bit up to label 255, else 16), exr (32-bit integers). No jpg, no hdr.
 void saveLabels(const LabelImage& image, const std::string& path);
-/// Directional map; EXR carries the LatLong envmap attribute.
+/// Directional map; EXR carries the LatLong envmap attribute and the coverage as a fourth channel. In OpenEXR's frame
+/// for such maps (Y up, Z in the centre) our camera frame is X = −x, Y = −y, Z = z.
 void saveDirectionalMap(const DirectionalMap& map, const std::string& path);
+
+/// Throws Error(Usage) when `path` has no extension that colour can be saved in: to find out before hours of work.
+void requireColorExtension(const std::string& path);
 
 }  // namespace core

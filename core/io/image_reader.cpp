@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/image_reader.h"
+
+#include <OpenImageIO/filesystem.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <functional>
+
+#include "core/io/atomic_file.h"
+
+namespace core {
+
+namespace {
+
+/// Compressed formats reach about 1000:1 on constant pictures; a header that claims far more is a lie, and believing
+/// it would cost gigabytes.
+constexpr std::size_t kMaxCompression = 5000;
+constexpr std::size_t kAlwaysAcceptedBytes = std::size_t{16} << 20U;
+constexpr std::size_t kMaxFileSize = std::size_t{8} << 30U;
+constexpr int kMaxChannels = 1024;
+constexpr int kMaxParts = 64;
+
+std::string formatFromContent(const std::string& path) {
+    std::array<char, 12> head{};
+    std::ifstream file(path, std::ios::binary);
+    file.read(head.data(), head.size());
+    const std::string_view magic(head.data(), static_cast<std::size_t>(file.gcount()));
+    const auto starts = [&](std::string_view prefix) { return magic.substr(0, prefix.size()) == prefix; };
+    if (starts("\x76\x2f\x31\x01")) return "openexr";
+    if (starts("\x89PNG\r\n\x1a\n")) return "png";
+    if (starts("\xff\xd8\xff")) return "jpeg";
+    if (starts(std::string_view("II*\0", 4)) || starts(std::string_view("MM\0*", 4))) return "tiff";
+    if (starts(std::string_view("II+\0", 4)) || starts(std::string_view("MM\0+", 4))) return "tiff";
+    if (starts("#?RADIANCE") || starts("#?RGBE")) return "hdr";
+    if (magic.size() > 2 && magic[0] == 'P' && std::string_view("123456Ff").find(magic[1]) != std::string_view::npos &&
+        std::string_view(" \t\r\n").find(magic[2]) != std::string_view::npos)
+        return "pnm";
+    return {};
+}
+
+/// libjpeg pads a file that ends early with grey; whether the end-of-image marker is there has to be looked up.
+bool jpegIsComplete(std::string_view bytes) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+    std::size_t i = 2;
+    while (i + 1 < bytes.size()) {
+        if (byte(i) != 0xff) {  // entropy-coded data
+            ++i;
+            continue;
+        }
+        const unsigned marker = byte(i + 1);
+        if (marker == 0xd9) return true;
+        if (marker == 0xff) {  // fill byte
+            ++i;
+            continue;
+        }
+        const bool standalone = marker == 0x00 || marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8);
+        if (standalone) {
+            i += 2;
+            continue;
+        }
+        if (i + 3 >= bytes.size()) return false;
+        i += 2 + (std::size_t{byte(i + 2)} << 8U) + byte(i + 3);
+    }
+    return false;
+}
+
+std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+std::uint32_t bigEndian(std::string_view bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+}
+
+/// Checksum of a PNG chunk (PNG specification, annex D).
+std::uint32_t crc32(std::string_view bytes) {
+    std::uint32_t crc = 0xffffffffU;
+    for (const char c : bytes) {
+        crc ^= static_cast<unsigned char>(c);
+        for (int bit = 0; bit < 8; ++bit) crc = (crc & 1U) != 0 ? crc >> 1U ^ 0xedb88320U : crc >> 1U;
+    }
+    return ~crc;
+}
+
+void appendBigEndian(std::string& bytes, std::uint32_t value) {
+    for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<char>(value >> static_cast<unsigned>(shift)));
+}
+
+}  // namespace
+
+bool indexedPngToGrey(std::string& bytes) {
+    constexpr std::size_t kSignature = 8;
+    constexpr std::size_t kHeaderEnd = kSignature + 25;
+    if (bytes.size() < kHeaderEnd || bytes.compare(kSignature + 4, 4, "IHDR") != 0) return false;
+    if (bytes[kSignature + 17] != 3) return false;
+    std::string grey = bytes.substr(0, kHeaderEnd - 4);
+    grey[kSignature + 17] = 0;
+    appendBigEndian(grey, crc32(std::string_view(grey).substr(kSignature + 4)));
+    for (std::size_t at = kHeaderEnd; at + 12 <= bytes.size();) {
+        const std::size_t length = std::size_t{bigEndian(bytes, at)} + 12;
+        if (length > bytes.size() - at) {
+            grey.append(bytes, at);  // cut short: libpng says so
+            break;
+        }
+        const std::string_view type(bytes.data() + at + 4, 4);
+        if (type == "IDAT" || type == "IEND") grey.append(bytes, at, length);
+        at += length;
+    }
+    bytes = std::move(grey);
+    return true;
+}
+
+int findChannel(const OIIO::ImageSpec& spec, const std::string& name) {
+    const auto lower = [](std::string text) {
+        std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        return text;
+    };
+    const std::string wanted = lower(name);
+    const std::string suffix = "." + wanted;
+    int layered = -1;
+    for (int c = 0; c < spec.nchannels; ++c) {
+        const std::string channel = lower(spec.channel_name(c));
+        if (channel == wanted) return c;
+        if (layered < 0 && channel.ends_with(suffix)) layered = c;
+    }
+    return layered;
+}
+
+ImageReader::ImageReader(const std::string& path, Palette palette) : path_(path), fileSize_(checkedFileSize(path)) {
+    if (fileSize_ > kMaxFileSize) fail("it has " + std::to_string(fileSize_) + " bytes, more than Patina accepts");
+    format_ = formatFromContent(path);
+    if (format_.empty())
+        fail("its content is no image format that Patina reads (expected EXR, PNG, TIFF, JPEG, PFM or HDR)");
+    if (format_ == "jpeg" && !jpegIsComplete(readFile(path, kMaxFileSize)))
+        fail("the file is truncated (JPEG data without an end)");
+    input_ = OIIO::ImageInput::create(format_, false);
+    if (!input_) fail("this build of OpenImageIO does not read " + format_ + " files");
+    OIIO::ImageSpec config;
+    config["oiio:UnassociatedAlpha"] = 1;
+    if (palette == Palette::Indices && format_ == "png") {
+        std::string bytes = readFile(path, kMaxFileSize);
+        if (indexedPngToGrey(bytes)) {
+            memory_ = std::move(bytes);
+            proxy_ = std::make_unique<OIIO::Filesystem::IOMemReader>(memory_.data(), memory_.size());
+            if (!input_->set_ioproxy(proxy_.get())) fail(input_->geterror());
+        }
+    }
+    if (!input_->open(path, spec_, config)) fail(input_->geterror());
+    checkHeader();
+}
+
+ImageReader::~ImageReader() {
+    if (input_) input_->close();
+}
+
+void ImageReader::fail(const std::string& reason) const {
+    std::string text = reason;
+    while (!text.empty() && (text.back() == '\n' || text.back() == '.' || text.back() == ' ')) text.pop_back();
+    std::ranges::replace(text, '\n', ' ');
+    throw Error(ErrorKind::Input, "Cannot read \"" + path_ + "\": " + text + ".");
+}
+
+void ImageReader::checkHeader() const {
+    const auto checkSize = [&](int width, int height) {
+        if (width <= 0 || height <= 0) fail("the image size is " + sizeText(width, height));
+        if (width > kMaxImageSide || height > kMaxImageSide ||
+            static_cast<long>(width) * static_cast<long>(height) > kMaxImagePixels)
+            fail("the image size is " + sizeText(width, height) + ", expected at most " +
+                 std::to_string(kMaxImageSide) + " pixels a side and " + std::to_string(kMaxImagePixels / 1'000'000) +
+                 " megapixels");
+    };
+    checkSize(spec_.width, spec_.height);
+    checkSize(spec_.full_width, spec_.full_height);
+    if (spec_.depth > 1) fail("it is a volume of depth " + std::to_string(spec_.depth) + ", expected a flat image");
+    if (spec_.deep) fail("it is a deep image (several samples per pixel), expected a flat one");
+    if (spec_.nchannels < 1 || spec_.nchannels > kMaxChannels)
+        fail("it has " + std::to_string(spec_.nchannels) + " channels, expected 1 to " + std::to_string(kMaxChannels));
+    const auto bytes = static_cast<std::size_t>(spec_.image_bytes(true));
+    if (bytes > kAlwaysAcceptedBytes && bytes / kMaxCompression > fileSize_)
+        fail("the header claims " + sizeText(spec_.width, spec_.height) + " pixels, but the file has only " +
+             std::to_string(fileSize_) + " bytes");
+}
+
+int ImageReader::orientation() const {
+    const int value = spec_.get_int_attribute("Orientation", 1);
+    return value >= 1 && value <= 8 ? value : 1;
+}
+
+bool ImageReader::seekPart(const std::function<bool(const OIIO::ImageSpec&)>& accept) {
+    if (accept(spec_)) return true;
+    for (int part = 1; part < kMaxParts && input_->seek_subimage(part, 0); ++part) {
+        if (!accept(input_->spec())) continue;
+        spec_ = input_->spec();
+        checkHeader();
+        return true;
+    }
+    (void)input_->geterror();
+    if (!input_->seek_subimage(0, 0)) fail(input_->geterror());
+    return false;
+}
+
+float ImageReader::integerScale() const {
+    if (spec_.format.is_floating_point()) return 1.0f;
+    const int typeBits = static_cast<int>(spec_.format.basesize() * 8);
+    const int bits = std::clamp(spec_.get_int_attribute("oiio:BitsPerSample", typeBits), 1, typeBits);
+    const bool isSigned = spec_.format == OIIO::TypeDesc::INT8 || spec_.format == OIIO::TypeDesc::INT16 ||
+                          spec_.format == OIIO::TypeDesc::INT32;
+    return static_cast<float>(std::exp2(isSigned ? bits - 1 : bits) - 1.0);
+}
+
+bool ImageReader::dataFillsDisplay() const {
+    return spec_.x == spec_.full_x && spec_.y == spec_.full_y && spec_.width == spec_.full_width &&
+           spec_.height == spec_.full_height;
+}
+
+void ImageReader::readRegion(int channelBegin, int channelEnd, float* target) {
+    if (!input_->read_image(input_->current_subimage(), 0, channelBegin, channelEnd, OIIO::TypeFloat, target))
+        fail(input_->geterror());
+}
+
+ImageF ImageReader::readChannel(int channel) {
+    ImageF data(spec_.width, spec_.height);
+    readRegion(channel, channel + 1, data.data());
+    if (const float scale = integerScale(); scale != 1.0f)
+        for (float& value : data.pixels()) value = std::round(value * scale);
+    if (dataFillsDisplay()) return data;
+    ImageF display(width(), height(), 0.0f);
+    for (int y = 0; y < spec_.height; ++y)
+        for (int x = 0; x < spec_.width; ++x) {
+            const int u = x + spec_.x - spec_.full_x;
+            const int v = y + spec_.y - spec_.full_y;
+            if (display.contains(u, v)) display(u, v) = data(x, y);
+        }
+    return display;
+}
+
+ImageRgb ImageReader::readRgb(int red, int green, int blue) {
+    ImageRgb data(spec_.width, spec_.height, Vector3f(0, 0, 0));
+    static_assert(sizeof(Vector3f) == 3 * sizeof(float));
+    if (green == red + 1 && blue == red + 2) {
+        readRegion(red, red + 3, data.data()->data());
+    } else {
+        ImageF plane(spec_.width, spec_.height);
+        const std::array<int, 3> channels{red, green, blue};
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (c == 0 || channels[c] != channels[c - 1]) readRegion(channels[c], channels[c] + 1, plane.data());
+            for (std::size_t i = 0; i < data.size(); ++i) data[i][static_cast<int>(c)] = plane[i];
+        }
+    }
+    if (dataFillsDisplay()) return data;
+    ImageRgb display(width(), height(), Vector3f(0, 0, 0));
+    for (int y = 0; y < spec_.height; ++y)
+        for (int x = 0; x < spec_.width; ++x) {
+            const int u = x + spec_.x - spec_.full_x;
+            const int v = y + spec_.y - spec_.full_y;
+            if (display.contains(u, v)) display(u, v) = data(x, y);
+        }
+    return display;
+}
+
+}  // namespace core

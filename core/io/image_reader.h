@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/image.h"
+#include "core/io/image_io.h"
+
+namespace core {
+
+/// One opened image file whose header has been checked: known format (by content, not by name), sane size, flat pixels.
+/// Used by image_io.cpp only; every failure is an Error(Input) that names the file.
+class ImageReader {
+  public:
+    /// What a palette picture is read as.
+    enum class Palette { Colors, Indices };
+
+    explicit ImageReader(const std::string& path, Palette palette = Palette::Colors);
+    ~ImageReader();
+    ImageReader(const ImageReader&) = delete;
+    ImageReader& operator=(const ImageReader&) = delete;
+
+    /// Format by content: "openexr", "png", "tiff", "jpeg", "pnm", "hdr".
+    [[nodiscard]] const std::string& format() const { return format_; }
+    [[nodiscard]] const OIIO::ImageSpec& spec() const { return spec_; }
+    /// Size of the display window: what every other image of the photograph has to match.
+    [[nodiscard]] int width() const { return spec_.full_width; }
+    [[nodiscard]] int height() const { return spec_.full_height; }
+    /// EXIF orientation 1..8; 1 = as stored.
+    [[nodiscard]] int orientation() const;
+
+    /// Goes to the first part of the file for which `accept` is true (parts of an EXR, pages of a TIFF). Returns false,
+    /// and stays at the first part, when there is none.
+    bool seekPart(const std::function<bool(const OIIO::ImageSpec&)>& accept);
+
+    /// One channel over the display window, zero outside the data window; stored values (integers are not normalised).
+    [[nodiscard]] ImageF readChannel(int channel);
+    /// Three channels at once; channels may repeat. Integers are normalised to [0, 1].
+    [[nodiscard]] ImageRgb readRgb(int red, int green, int blue);
+    /// Factor from OpenImageIO's normalised [0, 1] to the stored integers, 1, 2, 4, 10 and 12-bit ones included; 1 for
+    /// floats.
+    [[nodiscard]] float integerScale() const;
+
+    [[noreturn]] void fail(const std::string& reason) const;
+
+  private:
+    void checkHeader() const;
+    void readRegion(int channelBegin, int channelEnd, float* target);
+    [[nodiscard]] bool dataFillsDisplay() const;
+
+    std::string path_;
+    std::string format_;
+    std::size_t fileSize_ = 0;
+    std::string memory_;  ///< rewritten file (indexed PNG), empty otherwise
+    std::unique_ptr<OIIO::Filesystem::IOMemReader> proxy_;
+    std::unique_ptr<OIIO::ImageInput> input_;
+    OIIO::ImageSpec spec_;
+};
+
+/// Index of the channel called `name` or "layer.name" (case-insensitive), the plain name first; -1 when there is none.
+[[nodiscard]] int findChannel(const OIIO::ImageSpec& spec, const std::string& name);
+
+/// A palette picture (PNG colour type 3) rewritten as a grey one, so that its indices can be read as numbers. Returns
+/// false, leaving `bytes`, when it is no such file.
+[[nodiscard]] bool indexedPngToGrey(std::string& bytes);
+
+}  // namespace core

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <vector>
+
+#include "core/io/atomic_file.h"
+#include "core/io/image_io.h"
+#include "core/srgb.h"
+
+namespace core {
+
+namespace {
+
+enum class Format { Exr, Png, Tiff, Jpeg, Hdr };
+
+const char* pluginName(Format format) {
+    switch (format) {
+        case Format::Exr: return "openexr";
+        case Format::Png: return "png";
+        case Format::Tiff: return "tiff";
+        case Format::Jpeg: return "jpeg";
+        case Format::Hdr: return "hdr";
+    }
+    return "";
+}
+
+std::string extensionOf(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+Format formatOf(const std::string& path) {
+    const std::string extension = extensionOf(path);
+    if (extension == ".exr") return Format::Exr;
+    if (extension == ".png") return Format::Png;
+    if (extension == ".tif" || extension == ".tiff") return Format::Tiff;
+    if (extension == ".jpg" || extension == ".jpeg") return Format::Jpeg;
+    if (extension == ".hdr") return Format::Hdr;
+    throw Error(ErrorKind::Usage, "Cannot write \"" + path + "\": the file name ends in \"" + extension +
+                                      "\", expected .exr, .png, .tif, .jpg or .hdr.");
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& content, const std::string& expected) {
+    throw Error(ErrorKind::Usage, "Cannot write \"" + path + "\": " + content + " cannot be stored in a " +
+                                      extensionOf(path) + " file, expected " + expected + ".");
+}
+
+OIIO::ImageSpec makeSpec(int width, int height, int channels, OIIO::TypeDesc type, Format format) {
+    OIIO::ImageSpec spec(width, height, channels, type);
+    if (format == Format::Exr || format == Format::Tiff) spec["compression"] = "zip";
+    if (format == Format::Jpeg) spec["Compression"] = "jpeg:95";
+    spec["Software"] = "Patina " PATINA_VERSION;
+    return spec;
+}
+
+void write(const std::string& path, Format format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
+           const void* pixels) {
+    AtomicFile file(path);
+    const auto fail = [&](std::string reason) {
+        while (!reason.empty() && (reason.back() == '\n' || reason.back() == '.')) reason.pop_back();
+        throw Error(ErrorKind::Output, "Cannot write \"" + path + "\": " + reason + ".");
+    };
+    const auto output = OIIO::ImageOutput::create(pluginName(format));
+    if (!output) fail(std::string("this build of OpenImageIO does not write ") + pluginName(format) + " files");
+    if (!output->open(file.temporaryPath(), spec)) fail(output->geterror());
+    const bool written = output->write_image(type, pixels);
+    const std::string reason = written ? std::string() : output->geterror();
+    const bool closed = output->close();
+    if (!written) fail(reason);
+    if (!closed) fail(output->geterror());
+    file.commit();
+}
+
+std::vector<std::uint16_t> quantize(std::span<const float> values, float scale, float offset) {
+    std::vector<std::uint16_t> result(values.size());
+    std::ranges::transform(values, result.begin(), [&](float v) {
+        const float scaled = v * scale + offset;
+        return std::isfinite(scaled) ? static_cast<std::uint16_t>(std::lround(std::clamp(scaled, 0.0f, 65535.0f)))
+                                     : std::uint16_t{0};
+    });
+    return result;
+}
+
+std::span<const float> components(const ImageRgb& image) {
+    static_assert(sizeof(Vector3f) == 3 * sizeof(float));
+    return {image.empty() ? nullptr : image.data()->data(), image.size() * 3};
+}
+
+void writeLinear(const ImageRgb& image, const std::string& path, Format format) {
+    OIIO::ImageSpec spec = makeSpec(image.width(), image.height(), 3, OIIO::TypeFloat, format);
+    spec["oiio:ColorSpace"] = "Linear";
+    write(path, format, spec, OIIO::TypeFloat, image.data());
+}
+
+/// Samples in [0, 65535] as 16 bit, or 8 bit for JPEG.
+void writeIntegers(const std::vector<std::uint16_t>& samples, int width, int height, int channels,
+                   const std::string& path, Format format, const char* colorSpace) {
+    const bool byte = format == Format::Jpeg;
+    OIIO::ImageSpec spec =
+        makeSpec(width, height, channels, byte ? OIIO::TypeUInt8 : OIIO::TypeUInt16, format);
+    spec["oiio:ColorSpace"] = colorSpace;
+    write(path, format, spec, OIIO::TypeUInt16, samples.data());
+}
+
+}  // namespace
+
+void requireColorExtension(const std::string& path) { (void)formatOf(path); }
+
+void saveColor(const ImageRgb& image, const std::string& path) {
+    const Format format = formatOf(path);
+    if (format == Format::Exr || format == Format::Hdr) return writeLinear(image, path, format);
+    std::vector<float> encoded(image.size() * 3);
+    std::ranges::transform(components(image), encoded.begin(), [](float v) {
+        return std::isfinite(v) ? srgbEncode(std::clamp(v, 0.0f, 1.0f)) : 0.0f;
+    });
+    writeIntegers(quantize(encoded, 65535.0f, 0.0f), image.width(), image.height(), 3, path, format, "sRGB");
+}
+
+void saveScalar(const ImageF& image, const std::string& path, const std::string& channel, float pngScale) {
+    const Format format = formatOf(path);
+    if (format == Format::Jpeg) refuse(path, "measurements", ".exr, .tif, .hdr or .png");
+    if (format == Format::Png) {
+        writeIntegers(quantize(image.pixels(), pngScale, 0.0f), image.width(), image.height(), 1, path, format, "Linear");
+        return;
+    }
+    if (format == Format::Hdr) {
+        ImageRgb grey(image.width(), image.height());
+        for (std::size_t i = 0; i < image.size(); ++i) grey[i] = Vector3f::Constant(image[i]);
+        return writeLinear(grey, path, format);
+    }
+    OIIO::ImageSpec spec = makeSpec(image.width(), image.height(), 1, OIIO::TypeFloat, format);
+    spec.channelnames = {channel};
+    if (channel == "Z") spec.z_channel = 0;
+    write(path, format, spec, OIIO::TypeFloat, image.data());
+}
+
+void saveVectors(const ImageV3& image, const std::string& path) {
+    const Format format = formatOf(path);
+    if (format == Format::Hdr) refuse(path, "negative numbers", ".exr, .tif, .png or .jpg");
+    if (format == Format::Exr || format == Format::Tiff) return writeLinear(image, path, format);
+    writeIntegers(quantize(components(image), 0.5f * 65535.0f, 0.5f * 65535.0f), image.width(), image.height(), 3, path,
+                  format, "Linear");
+}
+
+void saveLabels(const LabelImage& image, const std::string& path) {
+    const Format format = formatOf(path);
+    if (format == Format::Jpeg || format == Format::Hdr) refuse(path, "labels", ".png, .tif or .exr");
+    const std::vector<std::uint32_t> labels(image.pixels().begin(), image.pixels().end());
+    const bool small = std::ranges::all_of(labels, [](std::uint32_t label) { return label < 256; });
+    if (format == Format::Exr) {
+        OIIO::ImageSpec spec = makeSpec(image.width(), image.height(), 1, OIIO::TypeUInt32, format);
+        spec.channelnames = {"label"};
+        write(path, format, spec, OIIO::TypeUInt32, labels.data());
+    } else if (small) {
+        const std::vector<std::uint8_t> bytes(labels.begin(), labels.end());
+        write(path, format, makeSpec(image.width(), image.height(), 1, OIIO::TypeUInt8, format), OIIO::TypeUInt8,
+              bytes.data());
+    } else {
+        write(path, format, makeSpec(image.width(), image.height(), 1, OIIO::TypeUInt16, format), OIIO::TypeUInt16,
+              image.data());
+    }
+}
+
+void saveDirectionalMap(const DirectionalMap& map, const std::string& path) {
+    if (formatOf(path) != Format::Exr) return saveColor(map.radiance, path);
+    const bool covered = map.coverage.sameSize(map.radiance);
+    OIIO::ImageSpec spec =
+        makeSpec(map.radiance.width(), map.radiance.height(), covered ? 4 : 3, OIIO::TypeFloat, Format::Exr);
+    spec.channelnames = {"R", "G", "B"};
+    spec.alpha_channel = -1;
+    if (covered) spec.channelnames.emplace_back("coverage");
+    spec["textureformat"] = "LatLong Environment";
+    spec["oiio:ColorSpace"] = "Linear";
+    std::vector<float> pixels;
+    pixels.reserve(map.radiance.size() * 4);
+    for (std::size_t i = 0; i < map.radiance.size(); ++i) {
+        for (int c = 0; c < 3; ++c) pixels.push_back(map.radiance[i][c]);
+        if (covered) pixels.push_back(map.coverage[i]);
+    }
+    write(path, Format::Exr, spec, OIIO::TypeFloat, pixels.data());
+}
+
+}  // namespace core
