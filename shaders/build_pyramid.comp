@@ -8,7 +8,7 @@
 #include "shaders/shared/geometry_block.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 0, binding = BUILD_PYRAMID_BLOCK) uniform Block { BuildPyramidBlock block; };
+layout(push_constant) uniform Block { BuildPyramidBlock block; };
 layout(set = 0, binding = BUILD_PYRAMID_FRONT_PATCH) uniform texture2D frontPatchMap;
 layout(set = 0, binding = BUILD_PYRAMID_BACK_PATCH) uniform texture2D backPatchMap;
 layout(set = 0, binding = BUILD_PYRAMID_RANGES) buffer Ranges { vec2 ranges[]; };

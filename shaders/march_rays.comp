@@ -7,7 +7,7 @@
 #include "shaders/shared/march_block.h"
 
 layout(local_size_x = 64) in;
-layout(set = 1, binding = MARCH_BLOCK) uniform Block { MarchBlock block; };
+layout(push_constant) uniform Block { MarchBlock block; };
 layout(set = 1, binding = MARCH_RAYS) readonly buffer Rays { vec4 rays[]; };
 layout(set = 1, binding = MARCH_HITS) writeonly buffer Hits { vec4 hits[]; };
 

@@ -22,18 +22,16 @@ const float kFar = 1.0e30;
 struct ImageRay {
     vec3 start;   // (u [px], v [px], w [1/m])
     vec3 step;    // per unit of s
-    float begin;  // s where the ray enters the image
-    float end;    // s where it leaves the image, the depths that occur, or space
+    float end;    // s where it leaves the image, the depths that occur, or space; < 0: meets nothing
 };
 
-// The part of the ray that can meet anything; empty (end < begin, or NaN) when there is none.
+// The part of the ray that can meet anything. A ray that starts outside the image meets nothing.
 ImageRay imageRay(vec3 p, vec3 d) {
     ImageRay ray;
     float w = 1.0 / p.z;
     vec2 focal = geometry.camera.xy;
     ray.start = vec3(focal * p.xy * w + geometry.camera.zw, w);
     ray.step = vec3(focal * (d.xy - d.z * p.xy * w), -d.z * w);
-    ray.begin = 0.0;
     ray.end = d.z > 0.0 ? 1.0 / d.z : kFar;
 
     uint rootIndex = 0u;
@@ -45,50 +43,48 @@ ImageRay imageRay(vec3 p, vec3 d) {
     if (ray.step.z == 0.0 && (w > root.y || w < root.x)) ray.end = -1.0;
 
     vec2 size = vec2(geometry.width, geometry.height);
-    for (int axis = 0; axis < 2; ++axis) {
-        if (ray.step[axis] == 0.0) {
-            if (!(ray.start[axis] >= 0.0 && ray.start[axis] < size[axis])) ray.end = -1.0;
-        } else {
-            float a = -ray.start[axis] / ray.step[axis];
-            float b = (size[axis] - ray.start[axis]) / ray.step[axis];
-            ray.begin = max(ray.begin, min(a, b));
-            ray.end = min(ray.end, max(a, b));
-        }
-    }
+    if (!(all(greaterThanEqual(ray.start.xy, vec2(0.0))) && all(lessThan(ray.start.xy, size)))) ray.end = -1.0;
     return ray;
 }
 
 // Distance [m] along the ray of parameter s.
 float rayDistance(vec3 p, vec3 d, float s) { return s * p.z / max(1.0 - s * d.z, 1.0e-20); }
 
-// Solid of one pixel against the piece [s0, s1] of a ray inside that pixel: the parameters where it enters and leaves.
-// False when it does not touch the solid. `depths` tells how far the entry lies from the front and from the back patch.
-bool crossPixel(ImageRay ray, ivec2 pixel, float s0, float s1, out float enter, out float leave, out vec2 depths) {
-    vec4 frontPatch = texelFetch(frontPatchMap, pixel, 0);
+// Solid of one pixel against the piece [s0, s1] of a ray inside that pixel: the parameters where it enters and leaves,
+// and whether it enters through the back patch. False when it does not touch the solid. A side wall belongs to the
+// nearer layer.
+bool crossPixel(ImageRay ray, ivec2 pixel, float s0, float s1, out float enter, out float leave, out bool back) {
     enter = s0;
     leave = s1;
-    depths = vec2(0.0);
+    back = false;
+    vec4 frontPatch = texelFetch(frontPatchMap, pixel, 0);
     if (!(frontPatch.x > 0.0)) return false;
     vec4 backPatch = texelFetch(backPatchMap, pixel, 0);
     vec3 a = ray.start + ray.step * s0;
     vec3 b = ray.start + ray.step * s1;
     vec2 center = vec2(pixel) + 0.5;
     // Signed room below the front patch and above the back patch; the solid is where both are >= 0.
-    float front0 = frontPatch.x + dot(frontPatch.yz, a.xy - center) - a.z;
-    float front1 = frontPatch.x + dot(frontPatch.yz, b.xy - center) - b.z;
-    float back0 = a.z - backPatch.x - dot(backPatch.yz, a.xy - center);
-    float back1 = b.z - backPatch.x - dot(backPatch.yz, b.xy - center);
+    float front0 = (frontPatch.x + dot(frontPatch.yz, a.xy - center)) - a.z;
+    float front1 = (frontPatch.x + dot(frontPatch.yz, b.xy - center)) - b.z;
+    float back0 = a.z - (backPatch.x + dot(backPatch.yz, a.xy - center));
+    float back1 = b.z - (backPatch.x + dot(backPatch.yz, b.xy - center));
     if ((front0 < 0.0 && front1 < 0.0) || (back0 < 0.0 && back1 < 0.0)) return false;
     float lo = 0.0;
     float hi = 1.0;
-    if (front0 < 0.0) lo = max(lo, front0 / (front0 - front1));
-    if (front1 < 0.0) hi = min(hi, front0 / (front0 - front1));
-    if (back0 < 0.0) lo = max(lo, back0 / (back0 - back1));
+    if (front0 < 0.0) lo = front0 / (front0 - front1);
+    if (front1 < 0.0) hi = front0 / (front0 - front1);
+    if (back0 < 0.0) {
+        float root = back0 / (back0 - back1);
+        if (root > lo) {
+            lo = root;
+            back = true;
+        }
+    }
     if (back1 < 0.0) hi = min(hi, back0 / (back0 - back1));
     if (!(lo <= hi)) return false;
+    if (lo <= 0.0) back = front0 > back0;
     enter = lo > 0.0 ? s0 + (s1 - s0) * lo : s0;
     leave = hi < 1.0 ? s0 + (s1 - s0) * hi : s1;
-    depths = vec2(mix(front0, front1, lo), mix(back0, back1, lo));
     return true;
 }
 
@@ -98,16 +94,16 @@ MarchHit march(vec3 p, vec3 d) {
     MarchHit hit = MarchHit(false, false, ivec2(0), 0.0);
     if (!(p.z > 0.0)) return hit;
     ImageRay ray = imageRay(p, d);
-    if (!(ray.begin <= ray.end)) return hit;
+    if (!(ray.end >= 0.0)) return hit;
 
     uvec2 size = uvec2(geometry.width, geometry.height);
     int level = 0;
     uint offset = 0u;  // of the level in the pyramid, for level > 0
-    ivec2 cell = clamp(ivec2(floor(ray.start.xy + ray.step.xy * ray.begin)), ivec2(0), ivec2(size) - 1);
+    ivec2 cell = ivec2(ray.start.xy);
     ivec2 direction = ivec2(ray.step.x > 0.0 ? 1 : -1, ray.step.y > 0.0 ? 1 : -1);
     vec2 inverse = vec2(ray.step.x != 0.0 ? 1.0 / ray.step.x : 0.0, ray.step.y != 0.0 ? 1.0 / ray.step.y : 0.0);
-    float s = ray.begin;
-    bool inside = ray.begin <= 0.0;  // until a pixel without a solid at the origin says otherwise
+    float s = 0.0;
+    bool inside = true;  // escaping from the solid of the origin; the first pixel decides whether there is one
 
     int budget = 8 * int(size.x + size.y) + 64;  // no ray needs more; one with broken numbers stops here
     for (int i = 0; i < budget; ++i) {
@@ -134,12 +130,12 @@ MarchHit march(vec3 p, vec3 d) {
             inside = false;
         } else {
             float enter, leave;
-            vec2 depths;
-            if (crossPixel(ray, cell, s, next, enter, leave, depths)) {
+            bool back;
+            if (crossPixel(ray, cell, s, next, enter, leave, back)) {
                 if (inside && enter > s) inside = false;
                 if (!inside) {
                     hit.found = true;
-                    hit.back = depths.y < depths.x;
+                    hit.back = back;
                     hit.pixel = cell;
                     hit.distance = rayDistance(p, d, enter);
                     return hit;
@@ -154,7 +150,7 @@ MarchHit march(vec3 p, vec3 d) {
         s = next;
         ivec2 before = cell;
         if (exits.x <= exits.y) cell.x += direction.x;
-        else cell.y += direction.y;
+        if (exits.y <= exits.x) cell.y += direction.y;
         ivec2 levelSize = ivec2((size + (1u << level) - 1u) >> level);
         if (any(lessThan(cell, ivec2(0))) || any(greaterThanEqual(cell, levelSize))) return hit;
         if (level < int(geometry.levelCount) && (before >> 1) != (cell >> 1)) {

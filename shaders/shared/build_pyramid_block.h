@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of build_pyramid.comp: one dispatch per level, from the finest upwards.
+// Parameters of build_pyramid.comp (push constants): one dispatch per level, from the finest upwards.
 #ifndef PATINA_BUILD_PYRAMID_BLOCK_H
 #define PATINA_BUILD_PYRAMID_BLOCK_H
 
 #include "shaders/shared/interop.h"
 
-#define BUILD_PYRAMID_BLOCK 0
-#define BUILD_PYRAMID_FRONT_PATCH 1
-#define BUILD_PYRAMID_BACK_PATCH 2
-#define BUILD_PYRAMID_RANGES 3
+#define BUILD_PYRAMID_FRONT_PATCH 0
+#define BUILD_PYRAMID_BACK_PATCH 1
+#define BUILD_PYRAMID_RANGES 2
 
 KERNEL_BEGIN
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of march_rays.comp.
+// Parameters of march_rays.comp (push constants).
 #ifndef PATINA_MARCH_BLOCK_H
 #define PATINA_MARCH_BLOCK_H
 
 #include "shaders/shared/interop.h"
 
-#define MARCH_BLOCK 0
-#define MARCH_RAYS 1  // two vec4 per ray: origin [m], direction (unit)
-#define MARCH_HITS 2  // one vec4 per ray: x, y (-1 = none), 1 = entered through the back layer, distance [m]
+#define MARCH_RAYS 0  // two vec4 per ray: origin [m], direction (unit)
+#define MARCH_HITS 1  // one vec4 per ray: x, y (-1 = none), 1 = entered through the back layer, distance [m]
 
 #define MARCH_PYRAMID 0
 #define MARCH_CONSTANT 1

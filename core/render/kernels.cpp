@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/kernels.h"
+
+#include <algorithm>
+
+#include "shaders/shared/geometry_block.h"
+
+namespace render {
+
+ListGroups listGroups(std::uint32_t count, const gpu::Limits& limits) {
+    const std::uint32_t groups = (count + kListGroupSize - 1) / kListGroupSize;
+    const std::uint32_t x = std::min(groups, limits.maxComputeWorkgroupsPerDimension);
+    return {.x = x, .y = x == 0 ? 1 : (groups + x - 1) / x};
+}
+
+gpu::ComputePipeline makePipeline(const gpu::Device& device, const std::string& label,
+                                  std::span<const std::uint32_t> code, std::vector<gpu::BindGroupLayout> groups,
+                                  std::uint32_t pushConstantSize) {
+    const gpu::PipelineLayout layout = device.createPipelineLayout(
+        {.label = label, .bindGroupLayouts = std::move(groups), .pushConstantSize = pushConstantSize});
+    const gpu::ShaderModule module = device.createShaderModule({.label = label, .code = code});
+    return device.createComputePipeline({.label = label, .layout = layout, .module = module});
+}
+
+gpu::BindGroupLayout makeLayout(const gpu::Device& device, const std::string& label,
+                                std::initializer_list<LayoutEntry> entries) {
+    gpu::BindGroupLayoutDescriptor descriptor{.label = label};
+    for (const LayoutEntry& entry : entries)
+        descriptor.entries.push_back({.binding = entry.binding, .type = entry.type});
+    return device.createBindGroupLayout(descriptor);
+}
+
+gpu::BindGroupLayout makeGeometryLayout(const gpu::Device& device) {
+    using enum gpu::BindingType;
+    return makeLayout(device, "geometry",
+                      {{GEOMETRY_BLOCK, UniformBuffer},
+                       {GEOMETRY_PYRAMID, ReadOnlyStorageBuffer},
+                       {GEOMETRY_FRONT_PATCH, SampledTexture},
+                       {GEOMETRY_BACK_PATCH, SampledTexture},
+                       {GEOMETRY_FRONT_COLOR, SampledTexture},
+                       {GEOMETRY_BACK_COLOR, SampledTexture},
+                       {GEOMETRY_FRONT_NORMAL, SampledTexture},
+                       {GEOMETRY_BACK_NORMAL, SampledTexture},
+                       {GEOMETRY_ENVIRONMENT, SampledTexture}});
+}
+
+}  // namespace render

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gpu/device.h"
+
+namespace render {
+
+/// Work items per workgroup of the kernels that walk a list, and the side of those that walk an image.
+inline constexpr std::uint32_t kListGroupSize = 64;
+inline constexpr std::uint32_t kTileSize = 8;
+
+/// Workgroups (x, y) that cover `count` list items within the device's limit per dimension; the kernels take
+/// y·(groups in x)·kListGroupSize + x as the item's index.
+struct ListGroups {
+    std::uint32_t x = 0;
+    std::uint32_t y = 1;
+};
+[[nodiscard]] ListGroups listGroups(std::uint32_t count, const gpu::Limits& limits);
+
+/// A pipeline whose groups have the given bindings. Every kernel that reads the scene has the geometry in group 0.
+[[nodiscard]] gpu::ComputePipeline makePipeline(const gpu::Device& device, const std::string& label,
+                                                std::span<const std::uint32_t> code,
+                                                std::vector<gpu::BindGroupLayout> groups,
+                                                std::uint32_t pushConstantSize = 0);
+
+/// Group 0 of shaders/lib/geometry.glsl.
+[[nodiscard]] gpu::BindGroupLayout makeGeometryLayout(const gpu::Device& device);
+
+/// A layout for compute from (binding, type) pairs.
+struct LayoutEntry {
+    std::uint32_t binding;
+    gpu::BindingType type;
+};
+[[nodiscard]] gpu::BindGroupLayout makeLayout(const gpu::Device& device, const std::string& label,
+                                              std::initializer_list<LayoutEntry> entries);
+
+/// Buffer with its first contents; at least `minimumSize` bytes, so that an empty list still can be bound.
+template <class T>
+[[nodiscard]] gpu::Buffer makeBuffer(const gpu::Device& device, const std::string& label, gpu::BufferUsage usage,
+                                     const std::vector<T>& contents) {
+    const gpu::Buffer buffer =
+        device.createBuffer({.label = label,
+                             .size = std::max<std::uint64_t>(contents.size() * sizeof(T), 16),
+                             .usage = usage | gpu::BufferUsage::CopyDst | gpu::BufferUsage::CopySrc});
+    if (!contents.empty()) device.queue().writeBuffer(buffer, 0, contents.data(), contents.size() * sizeof(T));
+    return buffer;
+}
+
+}  // namespace render

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/march_rays.h"
+
+#include <chrono>
+
+#include "core/render/kernels.h"
+#include "gpu/pass_timer.h"
+#include "gpu/readback.h"
+#include "kernels/march_rays.h"
+#include "shaders/shared/march_block.h"
+
+namespace render {
+
+RayMarcher::RayMarcher(const gpu::Device& device, SceneGeometry& geometry) : device_(device), geometry_(geometry) {
+    using enum gpu::BindingType;
+    layout_ = makeLayout(device, "march_rays", {{MARCH_RAYS, ReadOnlyStorageBuffer}, {MARCH_HITS, StorageBuffer}});
+    pipeline_ = makePipeline(device, "march_rays", march_rays_spv, {geometry.layout(), layout_},
+                             sizeof(kernel::MarchBlock));
+}
+
+std::vector<RayHit> RayMarcher::march(const std::vector<Ray>& rays, MarchMethod method,
+                                      const ConstantStepParams& steps) {
+    if (rays.empty()) return {};
+    std::vector<kernel::vec4> packed;
+    packed.reserve(2 * rays.size());
+    for (const Ray& ray : rays) {
+        packed.emplace_back(ray.origin.x(), ray.origin.y(), ray.origin.z(), 0.0f);
+        packed.emplace_back(ray.direction.x(), ray.direction.y(), ray.direction.z(), 0.0f);
+    }
+    const gpu::Buffer rayBuffer = makeBuffer(device_, "rays", gpu::BufferUsage::Storage, packed);
+    const gpu::Buffer hitBuffer =
+        device_.createBuffer({.label = "hits",
+                              .size = rays.size() * sizeof(kernel::vec4),
+                              .usage = gpu::BufferUsage::Storage | gpu::BufferUsage::CopySrc});
+    const gpu::BindGroup group = device_.createBindGroup({.label = "march_rays",
+                                                          .layout = layout_,
+                                                          .entries = {{.binding = MARCH_RAYS, .buffer = rayBuffer},
+                                                                      {.binding = MARCH_HITS, .buffer = hitBuffer}}});
+    const kernel::MarchBlock block{.rayCount = static_cast<kernel::uint>(rays.size()),
+                                   .method = method == MarchMethod::Pyramid ? kernel::uint{MARCH_PYRAMID} : kernel::uint{MARCH_CONSTANT},
+                                   .stepSize = steps.stepSize,
+                                   .maxDistance = steps.maxDistance};
+
+    gpu::PassTimer timer(device_);
+    const gpu::CommandEncoder encoder = device_.createCommandEncoder({.label = "march_rays"});
+    {
+        const auto region = timer.measure(encoder, "march_rays");
+        const gpu::ComputePassEncoder pass = encoder.beginComputePass({.label = "march_rays"});
+        pass.setPipeline(pipeline_);
+        pass.setBindGroup(0, geometry_.bindGroup());
+        pass.setBindGroup(1, group);
+        pass.setPushConstants(block);
+        const ListGroups groups = listGroups(block.rayCount, device_.limits());
+        pass.dispatchWorkgroups(groups.x, groups.y);
+        pass.end();
+    }
+    device_.waitIdle();
+    const auto start = std::chrono::steady_clock::now();
+    device_.queue().submit(encoder.finish());
+    device_.waitIdle();
+    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    for (const gpu::PassTimer::Timing& timing : timer.takeResults()) seconds_ = timing.seconds;
+
+    const auto values = gpu::readBuffer<kernel::vec4>(device_, hitBuffer, 0, rays.size());
+    std::vector<RayHit> hits(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const kernel::vec4& v = values[i];
+        if (v.x < 0) continue;
+        hits[i] = {true, v.z > 0.5f, static_cast<int>(v.x), static_cast<int>(v.y), v.w};
+    }
+    return hits;
+}
+
+}  // namespace render

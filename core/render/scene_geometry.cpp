@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/scene_geometry.h"
+
+#include <algorithm>
+
+#include "core/render/kernels.h"
+#include "gpu/adapter.h"
+#include "kernels/build_pyramid.h"
+#include "shaders/shared/geometry_block.h"
+
+namespace render {
+namespace {
+
+constexpr std::size_t kTexelBytes = 4 * sizeof(float);
+
+std::vector<float> texelsOf(const core::Image<core::Vector3f>& image) {
+    std::vector<float> texels(image.size() * 4, 1.0f);
+    for (std::size_t i = 0; i < image.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) texels[4 * i + c] = image[i][static_cast<Eigen::Index>(c)];
+    return texels;
+}
+
+}  // namespace
+
+std::vector<PyramidLevel> pyramidLevels(std::uint32_t width, std::uint32_t height) {
+    std::vector<PyramidLevel> levels;
+    std::uint32_t offset = 0;
+    do {
+        width = (width + 1) / 2;
+        height = (height + 1) / 2;
+        levels.push_back({width, height, offset});
+        offset += width * height;
+    } while (width > 1 || height > 1);
+    return levels;
+}
+
+SceneGeometry::SceneGeometry(const gpu::Device& device) : device_(device), layout_(makeGeometryLayout(device)) {
+    using enum gpu::BindingType;
+    const gpu::BindGroupLayout build = makeLayout(device, "build_pyramid",
+                                                  {{BUILD_PYRAMID_FRONT_PATCH, SampledTexture},
+                                                   {BUILD_PYRAMID_BACK_PATCH, SampledTexture},
+                                                   {BUILD_PYRAMID_RANGES, StorageBuffer}});
+    buildPyramid_ =
+        makePipeline(device, "build_pyramid", build_pyramid_spv, {build}, sizeof(kernel::BuildPyramidBlock));
+    block_ = device.createBuffer({.label = "geometry",
+                                  .size = sizeof(kernel::GeometryBlock),
+                                  .usage = gpu::BufferUsage::Uniform | gpu::BufferUsage::CopyDst});
+}
+
+void SceneGeometry::requireFits(std::uint32_t width, std::uint32_t height) const {
+    const gpu::Limits& limits = device_.limits();
+    const std::uint64_t bytes = std::uint64_t{width} * height * kTexelBytes;
+    const auto fail = [&](const std::string& limit) {
+        throw gpu::Error(gpu::ErrorKind::OutOfMemory,
+                         "The picture (" + std::to_string(width) + "x" + std::to_string(height) +
+                             ") is too large for the device \"" + device_.adapterInfo().name + "\": " + limit + ".");
+    };
+    if (std::max(width, height) > limits.maxTextureDimension2D)
+        fail("its textures have at most " + std::to_string(limits.maxTextureDimension2D) + " texels on a side");
+    if (bytes > limits.maxBufferSize)
+        fail("its textures have at most " + std::to_string(limits.maxBufferSize) + " bytes and one layer needs " +
+             std::to_string(bytes));
+    // Six layers, the accumulated picture, its filtered copy and the result.
+    if (limits.deviceMemory > 0 && 9 * bytes > limits.deviceMemory)
+        fail("it has " + std::to_string(limits.deviceMemory) + " bytes of memory and the layers need " +
+             std::to_string(9 * bytes));
+}
+
+gpu::Texture SceneGeometry::upload(const char* label, std::uint32_t width, std::uint32_t height,
+                                   const std::vector<float>& texels) const {
+    const gpu::Texture texture = device_.createTexture(
+        {.label = label,
+         .size = {width, height},
+         .format = gpu::TextureFormat::RGBA32Float,
+         .usage = gpu::TextureUsage::TextureBinding | gpu::TextureUsage::CopyDst | gpu::TextureUsage::CopySrc});
+    device_.queue().writeTexture(texture, texels.data(), texels.size() * sizeof(float));
+    return texture;
+}
+
+void SceneGeometry::setLayers(const core::DepthLayers& layers, const core::ImageRgb& photo, const core::Surface& front,
+                              const core::Surface& back, const std::function<float(std::uint16_t)>& markOf) {
+    CORE_ASSERT(layers.front.sameSize(photo) && layers.back.sameSize(photo) && layers.labels.sameSize(photo) &&
+                    front.normal.sameSize(photo) && back.normal.sameSize(photo) && back.color.sameSize(photo),
+                "layers of one size");
+    const auto width = static_cast<std::uint32_t>(photo.width());
+    const auto height = static_cast<std::uint32_t>(photo.height());
+    requireFits(width, height);
+    camera_ = layers.camera;
+    width_ = width;
+    height_ = height;
+
+    std::vector<float> frontTexels(photo.size() * 4);
+    std::vector<float> backTexels(photo.size() * 4);
+    for (std::size_t i = 0; i < photo.size(); ++i) {
+        const core::DepthLayers::Patch& f = layers.front[i];
+        const core::DepthLayers::Patch& b = layers.back[i];
+        const float frontTexel[] = {f.w, f.gu, f.gv, markOf(layers.labels[i])};
+        const float backTexel[] = {b.w, b.gu, b.gv, 0};
+        std::copy_n(frontTexel, 4, &frontTexels[4 * i]);
+        std::copy_n(backTexel, 4, &backTexels[4 * i]);
+    }
+    frontPatch_ = upload("front patch", width, height, frontTexels);
+    backPatch_ = upload("back patch", width, height, backTexels);
+    frontColor_ = upload("photo", width, height, texelsOf(photo));
+    backColor_ = upload("back colour", width, height, texelsOf(back.color));
+    frontNormal_ = upload("front normal", width, height, texelsOf(front.normal));
+    backNormal_ = upload("back normal", width, height, texelsOf(back.normal));
+
+    levels_ = pyramidLevels(width, height);
+    const std::uint64_t cells = levels_.back().offset + 1;
+    pyramid_ = device_.createBuffer({.label = "pyramid",
+                                     .size = cells * sizeof(kernel::vec2),
+                                     .usage = gpu::BufferUsage::Storage | gpu::BufferUsage::CopySrc});
+    pyramidStale_ = true;
+    group_ = {};
+}
+
+void SceneGeometry::setEnvironment(const core::DirectionalMap& environment) {
+    if (environment.empty()) {
+        environment_ = upload("environment", 2, 1, std::vector<float>(8, 0.0f));
+    } else {
+        const auto width = static_cast<std::uint32_t>(environment.radiance.width());
+        const auto height = static_cast<std::uint32_t>(environment.radiance.height());
+        if (std::max(width, height) > device_.limits().maxTextureDimension2D)
+            throw gpu::Error(gpu::ErrorKind::OutOfMemory,
+                             "The environment map (" + std::to_string(width) + "x" + std::to_string(height) +
+                                 ") is too large for the device \"" + device_.adapterInfo().name + "\": at most " +
+                                 std::to_string(device_.limits().maxTextureDimension2D) + " texels on a side.");
+        environment_ = upload("environment", width, height, texelsOf(environment.radiance));
+    }
+    group_ = {};
+}
+
+const gpu::BindGroup& SceneGeometry::bindGroup() {
+    if (group_) return group_;
+    kernel::GeometryBlock block{};
+    block.camera = {camera_.fx, camera_.fy, camera_.cx, camera_.cy};
+    block.width = width_;
+    block.height = height_;
+    block.levelCount = static_cast<std::uint32_t>(levels_.size());
+    block.environmentWidth = environment_.width();
+    block.environmentHeight = environment_.height();
+    device_.queue().writeBuffer(block_, 0, &block, sizeof(block));
+    group_ = device_.createBindGroup(
+        {.label = "geometry",
+         .layout = layout_,
+         .entries = {{.binding = GEOMETRY_BLOCK, .buffer = block_},
+                     {.binding = GEOMETRY_PYRAMID, .buffer = pyramid_},
+                     {.binding = GEOMETRY_FRONT_PATCH, .textureView = frontPatch_.createView()},
+                     {.binding = GEOMETRY_BACK_PATCH, .textureView = backPatch_.createView()},
+                     {.binding = GEOMETRY_FRONT_COLOR, .textureView = frontColor_.createView()},
+                     {.binding = GEOMETRY_BACK_COLOR, .textureView = backColor_.createView()},
+                     {.binding = GEOMETRY_FRONT_NORMAL, .textureView = frontNormal_.createView()},
+                     {.binding = GEOMETRY_BACK_NORMAL, .textureView = backNormal_.createView()},
+                     {.binding = GEOMETRY_ENVIRONMENT, .textureView = environment_.createView()}}});
+    return group_;
+}
+
+void SceneGeometry::record(const gpu::CommandEncoder& encoder) {
+    if (!pyramidStale_) return;
+    recordPyramid(encoder);
+    pyramidStale_ = false;
+}
+
+void SceneGeometry::recordPyramid(const gpu::CommandEncoder& encoder) {
+    const gpu::BindGroup group = device_.createBindGroup(
+        {.label = "build_pyramid",
+         .layout = buildPyramid_.getBindGroupLayout(0),
+         .entries = {{.binding = BUILD_PYRAMID_FRONT_PATCH, .textureView = frontPatch_.createView()},
+                     {.binding = BUILD_PYRAMID_BACK_PATCH, .textureView = backPatch_.createView()},
+                     {.binding = BUILD_PYRAMID_RANGES, .buffer = pyramid_}}});
+    const gpu::ComputePassEncoder pass = encoder.beginComputePass({.label = "build pyramid"});
+    pass.setPipeline(buildPyramid_);
+    pass.setBindGroup(0, group);
+    PyramidLevel source{width_, height_, 0};
+    for (std::uint32_t i = 0; i < levels_.size(); ++i) {
+        const PyramidLevel& level = levels_[i];
+        const kernel::BuildPyramidBlock block{.level = i + 1,
+                                              .width = level.width,
+                                              .height = level.height,
+                                              .offset = level.offset,
+                                              .sourceWidth = source.width,
+                                              .sourceHeight = source.height,
+                                              .sourceOffset = source.offset,
+                                              .pad0 = 0};
+        pass.setPushConstants(block);
+        pass.dispatchWorkgroups((level.width + kTileSize - 1) / kTileSize, (level.height + kTileSize - 1) / kTileSize);
+        source = level;
+    }
+    pass.end();
+}
+
+}  // namespace render

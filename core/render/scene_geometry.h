@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "core/analysis.h"
+#include "core/depth_layers.h"
+#include "core/directional_map.h"
+#include "core/image.h"
+#include "gpu/command_encoder.h"
+#include "gpu/device.h"
+#include "gpu/texture.h"
+#include "shaders/shared/build_pyramid_block.h"
+
+namespace render {
+
+/// One level of the min/max pyramid inside its buffer; level 1 covers 2x2 pixels.
+struct PyramidLevel {
+    std::uint32_t width = 0;   ///< cells
+    std::uint32_t height = 0;  ///< cells
+    std::uint32_t offset = 0;  ///< first cell
+};
+/// Levels above an image of this size, down to a single cell; at least one.
+[[nodiscard]] std::vector<PyramidLevel> pyramidLevels(std::uint32_t width, std::uint32_t height);
+
+/// The photographed scene on the device: both layers, the pyramid over them, the light. Bind group 0 of the kernels
+/// that look at the scene (shaders/lib/geometry.glsl).
+class SceneGeometry {
+  public:
+    explicit SceneGeometry(const gpu::Device& device);
+
+    /// Uploads a new picture. `markOf` says what the kernels see as a label (an index into their material table).
+    /// Throws gpu::Error(OutOfMemory) when the picture is larger than the device allows.
+    void setLayers(const core::DepthLayers& layers, const core::ImageRgb& photo, const core::Surface& front,
+                   const core::Surface& back, const std::function<float(std::uint16_t)>& markOf);
+    /// Uploads the light; an empty map is black.
+    void setEnvironment(const core::DirectionalMap& environment);
+
+    /// Builds the pyramid if the layers are new; before the first kernel that marches.
+    void record(const gpu::CommandEncoder& encoder);
+    /// Builds the pyramid whatever is there.
+    void recordPyramid(const gpu::CommandEncoder& encoder);
+
+    [[nodiscard]] const gpu::BindGroupLayout& layout() const { return layout_; }
+    /// Valid once layers and environment are set.
+    [[nodiscard]] const gpu::BindGroup& bindGroup();
+    [[nodiscard]] const gpu::Texture& photo() const { return frontColor_; }
+    [[nodiscard]] const gpu::Buffer& pyramid() const { return pyramid_; }
+    [[nodiscard]] std::uint32_t width() const { return width_; }
+    [[nodiscard]] std::uint32_t height() const { return height_; }
+
+  private:
+    [[nodiscard]] gpu::Texture upload(const char* label, std::uint32_t width, std::uint32_t height,
+                                      const std::vector<float>& texels) const;
+    void requireFits(std::uint32_t width, std::uint32_t height) const;
+
+    gpu::Device device_;
+    gpu::BindGroupLayout layout_;
+    gpu::ComputePipeline buildPyramid_;
+    std::uint32_t width_ = 0;
+    std::uint32_t height_ = 0;
+    std::vector<PyramidLevel> levels_;
+    gpu::Texture frontPatch_, backPatch_, frontColor_, backColor_, frontNormal_, backNormal_, environment_;
+    gpu::Buffer pyramid_;
+    gpu::Buffer block_;
+    core::Camera camera_;
+    gpu::BindGroup group_;
+    bool pyramidStale_ = false;
+};
+
+}  // namespace render

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/depth_layers.h"
+
+#include <gtest/gtest.h>
+
+#include "core/render/march_rays.h"
+#include "core/render/scene_geometry.h"
+#include "gpu/readback.h"
+#include "shaders/shared/geometry_block.h"
+#include "tests/gpu/render_support.h"
+
+namespace {
+
+using core::Vector3f;
+using testing_support::AnalyticScene;
+
+kernel::vec4 texel(const core::DepthLayers::Patch& patch) { return {patch.w, patch.gu, patch.gv, 0}; }
+
+struct Scene {
+    explicit Scene(const AnalyticScene& source)
+        : layers(source.layers()), geometry(testing_support::device()) {
+        geometry.setLayers(layers, source.photo->color, *source.front, *source.back,
+                           [](std::uint16_t label) { return static_cast<float>(label); });
+        geometry.setEnvironment(*source.environment);
+        const gpu::CommandEncoder encoder = testing_support::device().createCommandEncoder({.label = "pyramid"});
+        geometry.record(encoder);
+        testing_support::device().queue().submit(encoder.finish());
+    }
+    std::vector<render::RayHit> march(const std::vector<render::Ray>& rays) {
+        render::RayMarcher marcher(testing_support::device(), geometry);
+        return marcher.march(rays, render::MarchMethod::Pyramid);
+    }
+    core::DepthLayers layers;
+    render::SceneGeometry geometry;
+};
+
+/// Rays from lifted surface points into the upper hemisphere, from free points, and towards the camera.
+std::vector<render::Ray> randomRays(const AnalyticScene& scene, int count, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> uniform(0, 1);
+    const core::Camera& camera = scene.photo->camera;
+    std::vector<render::Ray> rays;
+    while (rays.size() < static_cast<std::size_t>(count)) {
+        Vector3f direction = testing_support::randomDirection(random);
+        if (rays.size() % 4 == 3) {
+            const float z = 0.3f + 2 * uniform(random);
+            rays.push_back({camera.ray(uniform(random) * static_cast<float>(camera.width),
+                                       uniform(random) * static_cast<float>(camera.height)) *
+                                z,
+                            direction});
+            continue;
+        }
+        const int x = static_cast<int>(uniform(random) * static_cast<float>(camera.width - 1));
+        const int y = static_cast<int>(uniform(random) * static_cast<float>(camera.height - 1));
+        const float z = scene.front->depth(x, y);
+        if (z <= 0) continue;
+        const Vector3f& n = scene.front->normal(x, y);
+        if (direction.dot(n) < 0) direction -= 2 * direction.dot(n) * n;
+        rays.push_back({camera.backProject(x, y, z) + n * core::marchBias(camera, z), direction});
+    }
+    return rays;
+}
+
+/// Share of rays on which kernel and oracle agree about the pixel, the layer and (within 0.1 %) the distance.
+double agreement(const core::DepthLayers& layers, const std::vector<render::Ray>& rays,
+                 const std::vector<render::RayHit>& hits, std::size_t* hitCount = nullptr) {
+    std::size_t agreed = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const auto expected = core::march(layers, rays[i].origin, rays[i].direction);
+        if (hitCount != nullptr && expected) ++*hitCount;
+        if (!expected) {
+            agreed += !hits[i].found;
+        } else if (hits[i].found && hits[i].x == expected->x && hits[i].y == expected->y &&
+                   hits[i].back == expected->back &&
+                   std::abs(hits[i].distance - expected->distance) <= 1e-3f * expected->distance + 1e-4f) {
+            ++agreed;
+        }
+    }
+    return static_cast<double>(agreed) / static_cast<double>(rays.size());
+}
+
+TEST(Pyramid, EqualsItsTwinOnAnySize) {
+    for (const auto& [width, height] : {std::pair{64, 64}, std::pair{97, 61}, std::pair{5, 130}, std::pair{1, 1}}) {
+        const AnalyticScene source = testing_support::makeRandomScene(width, height, 3);
+        const Scene scene(source);
+        const auto levels =
+            render::pyramidLevels(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
+        ASSERT_EQ(levels.back().width, 1u);
+        ASSERT_EQ(levels.back().height, 1u);
+        const auto actual = gpu::readBuffer<kernel::vec2>(testing_support::device(), scene.geometry.pyramid(), 0,
+                                                          levels.back().offset + 1);
+        for (std::size_t level = 0; level < levels.size(); ++level) {
+            const int size = 2 << level;
+            for (int cy = 0; cy < static_cast<int>(levels[level].height); ++cy) {
+                for (int cx = 0; cx < static_cast<int>(levels[level].width); ++cx) {
+                    kernel::vec2 expected(kernel::kEmptyRangeMin, kernel::kEmptyRangeMax);
+                    for (int y = cy * size; y < std::min((cy + 1) * size, height); ++y)
+                        for (int x = cx * size; x < std::min((cx + 1) * size, width); ++x) {
+                            const kernel::vec2 range =
+                                kernel::pixelRange(texel(scene.layers.front(x, y)), texel(scene.layers.back(x, y)));
+                            expected = {std::min(expected.x, range.x), std::max(expected.y, range.y)};
+                        }
+                    const kernel::vec2& cell =
+                        actual[levels[level].offset + static_cast<std::size_t>(cy) * levels[level].width +
+                               static_cast<std::size_t>(cx)];
+                    // One rounding of the half slopes may differ where the device fuses a multiply and an add.
+                    ASSERT_FLOAT_EQ(cell.x, expected.x) << width << "x" << height << " level " << level + 1;
+                    ASSERT_FLOAT_EQ(cell.y, expected.y) << width << "x" << height << " level " << level + 1;
+                }
+            }
+        }
+    }
+}
+
+TEST(March, AgreesWithTheOracleOnRandomScenes) {
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+        const AnalyticScene source = testing_support::makeRandomScene(211 + 30 * static_cast<int>(seed), 157, seed);
+        Scene scene(source);
+        const auto rays = randomRays(source, 20000, seed);
+        std::size_t hits = 0;
+        EXPECT_GE(agreement(scene.layers, rays, scene.march(rays), &hits), 0.999) << "seed " << seed;
+        EXPECT_GT(hits, rays.size() / 20) << "the rays must meet something for the test to mean anything";
+    }
+}
+
+TEST(March, HitsASphereWhereTheMathsSays) {
+    const Vector3f center(0, 0, 1);
+    const float radius = 0.2f;
+    const AnalyticScene source = testing_support::makeAnalyticScene(
+        400, 300, {{center, radius, 2}}, 0, [](const Vector3f&) { return Vector3f(1, 1, 1); });
+    Scene scene(source);
+    std::mt19937 random(5);
+    std::vector<render::Ray> rays;
+    std::vector<double> expected;  // distance, < 0 = passes by
+    while (rays.size() < 4000) {
+        // From a point beside the sphere, inside the view cone, towards a random point around it.
+        const Vector3f origin = Vector3f(0, 0, 1) + 0.33f * testing_support::randomDirection(random);
+        if (std::abs(origin.x()) > 0.28f * origin.z() || std::abs(origin.y()) > 0.2f * origin.z()) continue;
+        const Vector3f target = center + 0.3f * testing_support::randomDirection(random);
+        const Vector3f d = (target - origin).normalized();
+        const Eigen::Vector3d o = (origin - center).cast<double>();
+        const double b = o.dot(d.cast<double>());
+        const double root = b * b - (o.squaredNorm() - double{radius} * radius);
+        const double closest = std::sqrt(o.squaredNorm() - b * b);
+        if (std::abs(closest - double{radius}) < 0.02) continue;  // grazing: the silhouette's pixels decide
+        rays.push_back({origin, d});
+        expected.push_back(root > 0 && b < 0 ? -b - std::sqrt(root) : -1.0);
+    }
+    const auto hits = scene.march(rays);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (hits[i].found != (expected[i] > 0)) ++wrong;
+        else if (hits[i].found && std::abs(double{hits[i].distance} - expected[i]) > 0.01) ++wrong;
+    }
+    // The silhouette seen from the camera is a band of pixels where the two halves meet in a step.
+    EXPECT_LE(wrong, rays.size() / 100);
+}
+
+TEST(March, SurvivesDegenerateRays) {
+    const AnalyticScene source = testing_support::makeRandomScene(128, 96, 9);
+    Scene scene(source);
+    const core::Camera& camera = source.photo->camera;
+    const float nan = std::nanf("");
+    std::vector<render::Ray> rays = {
+        {{0, 0, 0.5f}, {0, 0, 1}},          // along the view direction, away from the camera
+        {{0, 0, 3.0f}, {0, 0, -1}},         // towards the camera: w grows without end
+        {camera.ray(64, 48), {1, 0, 0}},    // axis-parallel on a cell border
+        {camera.ray(64, 48), {0, -1, 0}},   // the other axis
+        {camera.ray(32, 32) * 2, {0, 0, 1}},
+        {camera.ray(0, 0), Vector3f(1, 1, 0).normalized()},  // from the corner along the diagonal
+        {camera.ray(-5, 10), {1, 0, 0}},    // starts outside the image
+        {{0, 0, -1}, {0, 0, 1}},            // behind the camera
+        {{0, 0, 1}, {nan, 0, 1}},
+        {{nan, 0, 1}, {0, 0, 1}},
+        {{0, 0, 1}, {0, 0, 0}},
+        {{0, 0, 1e-30f}, {0, 0, 1}},
+        {{0, 0, 1e30f}, {0, 0, -1}},
+    };
+    const auto hits = scene.march(rays);
+    for (std::size_t i = 0; i < 8; ++i) {
+        const auto expected = core::march(scene.layers, rays[i].origin, rays[i].direction);
+        EXPECT_EQ(hits[i].found, expected.has_value()) << "ray " << i;
+        if (expected && hits[i].found) {
+            EXPECT_NEAR(hits[i].distance, expected->distance, 1e-3f) << "ray " << i;
+        }
+    }
+    for (std::size_t i = 8; i < rays.size(); ++i)
+        if (hits[i].found) EXPECT_TRUE(std::isfinite(hits[i].distance)) << "ray " << i;
+}
+
+TEST(March, ConstantStepsAgreeOnThickSolids) {
+    const AnalyticScene source = testing_support::makeAnalyticScene(
+        200, 150, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0, [](const Vector3f&) { return Vector3f(1, 1, 1); });
+    Scene scene(source);
+    const auto rays = randomRays(source, 4000, 7);
+    render::RayMarcher marcher(testing_support::device(), scene.geometry);
+    const auto exact = marcher.march(rays, render::MarchMethod::Pyramid);
+    const auto steps = marcher.march(rays, render::MarchMethod::ConstantSteps, {.stepSize = 0.0005f, .maxDistance = 1});
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) same += exact[i].found == steps[i].found;
+    EXPECT_GE(static_cast<double>(same), 0.99 * static_cast<double>(rays.size()));
+}
+
+}  // namespace
