@@ -182,7 +182,7 @@ SurfaceSamples sampleSurface(const Analysis& analysis, const LabelImage& labels,
     if (result.area <= 0 || count <= 0) return result;
 
     result.samples.reserve(static_cast<std::size_t>(count));
-    const std::uint32_t stream = kernel::rng_stream(seed, label);
+    const std::uint32_t stream = kernel::rng_stream(seed, 2u * label);
     std::size_t cursor = 0;
     for (int s = 0; s < count; ++s) {
         const double u = static_cast<double>(kernel::rng_float(static_cast<kernel::uint>(s), 0, 0, stream));

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reference_renderer.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <utility>
+
+#include "core/brdf.h"
+#include "core/image_filter.h"
+#include "shaders/shared/rng.h"
+
+namespace core {
+
+namespace {
+
+/// What a glossy segment that nobody edited is taken for when a path meets it.
+constexpr float kGlossyAlpha = 0.05f;
+
+kernel::vec3 toKernel(const Vector3f& v) { return {v.x(), v.y(), v.z()}; }
+Vector3f fromKernel(kernel::vec3 v) { return {v.x, v.y, v.z}; }
+
+/// Runs `body(row)` for every row in parallel, reports progress and stops when asked to.
+template <class Body>
+void forEachRow(int rows, std::string_view step, const StepContext& context, const Body& body) {
+    std::atomic<int> done{0};
+    tbb::parallel_for(tbb::blocked_range<int>(0, rows, 1), [&](const tbb::blocked_range<int>& range) {
+        for (int row = range.begin(); row < range.end(); ++row) {
+            body(row);
+            context.checkpoint(step, static_cast<float>(++done) / static_cast<float>(rows));
+        }
+    });
+}
+
+kernel::SegmentShading shadingOf(const Segment& segment, const Analysis& analysis) {
+    kernel::SegmentShading s;
+    s.blend = {1, 0, 0, 0};
+    if (!segment.edit) {
+        if (!segment.glossy) return s;
+        Material mirror = defaultMaterial(*findBrdf("ggx"));
+        mirror.values[0] = kGlossyAlpha;
+        mirror.fresnel = Fresnel::None;
+        s.brdf = toKernel(mirror, specularOf(segment, analysis));
+        s.blend.w = 1;
+        return s;
+    }
+    const Material& material = *segment.edit;
+    s.brdf = toKernel(material, specularOf(segment, analysis));
+    s.blend = {material.blendNew, material.blendOriginal, 0, 1};
+    s.diffuse.w = 1;
+    if (material.translucency) {
+        // Light crosses the boundary twice; its mean transmission is η²(1 − F_dr) by reciprocity.
+        const double eta = static_cast<double>(dipoleFromTranslucency(*material.translucency).alphaPrime.w);
+        const auto transmission = static_cast<float>(eta * eta * (1 - internalDiffuseFresnel(eta)));
+        const Vector3f albedo =
+            diffuseReflectance(*material.translucency) * (material.translucency->weight * transmission * transmission);
+        s.diffuse = kernel::vec4(toKernel(albedo), 1);
+        s.blend.z = material.brdf == "none" ? 1.0f : 0.5f;
+    }
+    return s;
+}
+
+}  // namespace
+
+Vector3f specularOf(const Segment& segment, const Analysis& analysis) {
+    if (segment.reflectance) return *segment.reflectance;
+    const Reflectance* estimated = analysis.findReflectance(segment.label);
+    return estimated != nullptr ? estimated->rho : Vector3f(1, 1, 1);
+}
+
+std::vector<kernel::SegmentShading> buildSegmentShading(const Scene& scene, const Analysis& analysis) {
+    const std::size_t count = scene.segments.empty() ? 1 : std::size_t{scene.segments.back().label} + 1;
+    kernel::SegmentShading untouched;
+    untouched.blend = {1, 0, 0, 0};
+    std::vector<kernel::SegmentShading> result(count, untouched);
+    for (const Segment& segment : scene.segments) result[segment.label] = shadingOf(segment, analysis);
+    return result;
+}
+
+/// A surface point on a path.
+struct ReferenceRenderer::Vertex {
+    kernel::vec3 p;  ///< [m]
+    kernel::vec3 n;  ///< shading normal, n·wo > 0
+    kernel::vec3 wo;
+    const kernel::SegmentShading* shading;
+};
+
+ReferenceRenderer::ReferenceRenderer(const Scene& scene, std::shared_ptr<const Analysis> analysis)
+    : scene_(scene),
+      analysis_(std::move(analysis)),
+      layers_(buildDepthLayers(scene.photo->camera, scene.photo->labels, *analysis_->front, *analysis_->back)),
+      shading_(buildSegmentShading(scene_, *analysis_)) {}
+
+const kernel::SegmentShading& ReferenceRenderer::shadingOf(std::uint16_t label) const {
+    return shading_[label < shading_.size() ? label : 0];
+}
+
+Vector3f ReferenceRenderer::follow(const Vertex& start, kernel::vec3 throughput, kernel::vec3 direction,
+                                   std::uint32_t pixel, std::uint32_t sample, std::uint32_t seed) const {
+    kernel::vec3 radiance(0.0f);
+    Vertex vertex = start;
+    const int bounces = std::max(scene_.render.bounces, 1);
+    for (int b = 0; b < bounces; ++b) {
+        if (b > 0) {
+            const kernel::vec2 u = kernel::rng_vec2(pixel, sample, 2 * static_cast<kernel::uint>(b), seed);
+            kernel::vec3 weight;
+            const kernel::vec3 wi =
+                kernel::path_scatter(*vertex.shading, false, kernel::to_local(vertex.n, vertex.wo), u, weight);
+            if (wi.z <= 0) break;
+            throughput *= weight;
+            direction = kernel::normalize(kernel::from_local(vertex.n, wi));
+        }
+        if (kernel::max(throughput.x, kernel::max(throughput.y, throughput.z)) == 0) break;
+        const kernel::vec3 origin = vertex.p + vertex.n * marchBias(layers_.camera, vertex.p.z);
+        const std::optional<MarchHit> hit = march(layers_, fromKernel(origin), fromKernel(direction));
+        if (!hit) {
+            if (analysis_->environment && !analysis_->environment->empty())
+                radiance += throughput * toKernel(analysis_->environment->lookup(fromKernel(direction)));
+            break;
+        }
+        const Surface& layer = hit->back ? *analysis_->back : *analysis_->front;
+        const kernel::vec3 color = toKernel(layer.color(hit->x, hit->y));
+        const kernel::vec3 normal = toKernel(layer.normal(hit->x, hit->y));
+        const kernel::SegmentShading& shading = shadingOf(layers_.labels(hit->x, hit->y));
+        if (shading.blend.w == 0 || b + 1 == bounces || kernel::dot(normal, normal) == 0) {
+            radiance += throughput * color;
+            break;
+        }
+        radiance += throughput * color * shading.blend.y;
+        throughput *= shading.blend.x;
+        vertex.p = origin + direction * hit->distance;
+        vertex.wo = -direction;
+        vertex.n = kernel::shading_normal(normal, vertex.wo);
+        vertex.shading = &shading;
+    }
+    return fromKernel(radiance);
+}
+
+Vector3f ReferenceRenderer::pathRadiance(int x, int y, std::uint32_t sample) const {
+    const kernel::SegmentShading& shading = shadingOf(layers_.labels(x, y));
+    const Surface& front = *analysis_->front;
+    if (shading.diffuse.w == 0 || !(front.depth(x, y) > 0)) return Vector3f::Zero();
+    Vertex vertex;
+    vertex.p = toKernel(front.position(x, y));
+    vertex.wo = kernel::normalize(-vertex.p);
+    vertex.n = kernel::shading_normal(toKernel(front.normal(x, y)), vertex.wo);
+    vertex.shading = &shading;
+    const auto pixel = static_cast<std::uint32_t>(front.depth.index(x, y));
+    const std::uint32_t seed = scene_.render.seed;
+    kernel::vec3 weight;
+    const kernel::vec3 wi = kernel::path_scatter(shading, true, kernel::to_local(vertex.n, vertex.wo),
+                                                 kernel::rng_vec2(pixel, sample, 0, seed), weight);
+    if (wi.z <= 0) return Vector3f::Zero();
+    return follow(vertex, weight, kernel::normalize(kernel::from_local(vertex.n, wi)), pixel, sample, seed);
+}
+
+Accumulation ReferenceRenderer::reshade(int samples, std::uint32_t first, const StepContext& context) const {
+    const int width = layers_.camera.width;
+    const int height = layers_.camera.height;
+    Accumulation result{.sum = ImageRgb(width, height, Vector3f::Zero()),
+                        .sumSquaredLuminance = ImageF(width, height),
+                        .samples = samples};
+    std::atomic<std::uint64_t> dropped{0};
+    forEachRow(height, "Re-shading", context, [&](int y) {
+        for (int x = 0; x < width; ++x) {
+            if (shadingOf(layers_.labels(x, y)).diffuse.w == 0) continue;
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            double squared = 0;
+            for (int s = 0; s < samples; ++s) {
+                const Vector3f value = pathRadiance(x, y, first + static_cast<std::uint32_t>(s));
+                if (!kernel::path_valid(toKernel(value))) {
+                    ++dropped;
+                    continue;
+                }
+                const auto l = static_cast<double>(kernel::luminance(toKernel(value)));
+                sum += value.cast<double>();
+                squared += l * l;
+            }
+            result.sum(x, y) = sum.cast<float>();
+            result.sumSquaredLuminance(x, y) = static_cast<float>(squared);
+        }
+    });
+    result.dropped = dropped;
+    return result;
+}
+
+std::vector<Vector3f> ReferenceRenderer::irradiance(const SurfaceSamples& samples, std::uint16_t label, float eta,
+                                                    int rays, const StepContext& context) const {
+    const std::uint32_t seed = kernel::rng_stream(scene_.render.seed, 2u * label + 1u);
+    std::vector<Vector3f> result(samples.samples.size(), Vector3f::Zero());
+    forEachRow(static_cast<int>(result.size()), "Gathering light", context, [&](int i) {
+        const SurfaceSample& sample = samples.samples[static_cast<std::size_t>(i)];
+        const auto id = static_cast<std::uint32_t>(i);
+        Vertex vertex;
+        vertex.p = toKernel(sample.position);
+        vertex.n = toKernel(sample.normal);
+        vertex.wo = vertex.n;
+        vertex.shading = &shadingOf(label);
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (int j = 0; j < rays; ++j) {
+            const auto ray = static_cast<std::uint32_t>(j);
+            const kernel::vec3 wi = kernel::sample_cosine_hemisphere(kernel::rng_vec2(id, ray, 0, seed));
+            const kernel::vec3 weight(kernel::fresnel_transmission(eta, wi.z));
+            const Vector3f value =
+                follow(vertex, weight, kernel::normalize(kernel::from_local(vertex.n, wi)), id, ray, seed);
+            if (kernel::path_valid(toKernel(value))) sum += value.cast<double>();
+        }
+        if (rays > 0) result[static_cast<std::size_t>(i)] = (sum * (M_PI / rays)).cast<float>();
+    });
+    return result;
+}
+
+ImageRgb ReferenceRenderer::translucentRadiosity(const SurfaceSamples& samples, const std::vector<Vector3f>& irradiance,
+                                                 std::uint16_t label, const kernel::DipoleParams& dipole,
+                                                 const StepContext& context) const {
+    CORE_ASSERT(samples.samples.size() == irradiance.size(), "one irradiance per surface sample");
+    const Surface& front = *analysis_->front;
+    ImageRgb result(layers_.camera.width, layers_.camera.height, Vector3f::Zero());
+    if (samples.samples.empty()) return result;
+    const double factor = samples.area / static_cast<double>(samples.samples.size()) / M_PI;
+    forEachRow(result.height(), "Scattering light", context, [&](int y) {
+        for (int x = 0; x < result.width(); ++x) {
+            if (layers_.labels(x, y) != label || !(front.depth(x, y) > 0)) continue;
+            const Vector3f p = front.position(x, y);
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            for (std::size_t i = 0; i < irradiance.size(); ++i) {
+                const kernel::vec3 rd = kernel::dipole_rd(dipole, (p - samples.samples[i].position).squaredNorm());
+                sum += fromKernel(rd).cwiseProduct(irradiance[i]).cast<double>();
+            }
+            result(x, y) = (sum * factor).cast<float>();
+        }
+    });
+    return result;
+}
+
+ImageRgb ReferenceRenderer::translucency(const StepContext& context) const {
+    const Surface& front = *analysis_->front;
+    ImageRgb result(layers_.camera.width, layers_.camera.height, Vector3f::Zero());
+    for (const Segment& segment : scene_.segments) {
+        if (!segment.edit || !segment.edit->translucency) continue;
+        const kernel::DipoleParams dipole = dipoleFromTranslucency(*segment.edit->translucency);
+        const SurfaceSamples samples =
+            sampleSurface(*analysis_, layers_.labels, segment.label, scene_.render.surfaceSamples, scene_.render.seed);
+        const std::vector<Vector3f> light =
+            irradiance(samples, segment.label, dipole.alphaPrime.w, scene_.render.irradianceSamples, context);
+        const ImageRgb radiosity = translucentRadiosity(samples, light, segment.label, dipole, context);
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            if (layers_.labels[i] != segment.label || !(front.depth[i] > 0)) continue;
+            const kernel::vec3 wo = kernel::normalize(-toKernel(front.position[i]));
+            const kernel::vec3 n = kernel::shading_normal(toKernel(front.normal[i]), wo);
+            result[i] =
+                radiosity[i] * kernel::fresnel_transmission(dipole.alphaPrime.w, std::max(kernel::dot(n, wo), 0.0f));
+        }
+    }
+    return result;
+}
+
+ImageRgb ReferenceRenderer::composite(const ImageRgb& reshaded, const ImageRgb& translucent) const {
+    ImageRgb result = scene_.photo->color;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const Segment* segment = layers_.labels[i] == 0 ? nullptr : scene_.findSegment(layers_.labels[i]);
+        if (segment == nullptr || !segment->edit || !(analysis_->front->depth[i] > 0)) continue;
+        const Material& material = *segment->edit;
+        Vector3f fresh = reshaded[i];
+        if (material.translucency) fresh += material.translucency->weight * translucent[i];
+        result[i] = material.blendNew * fresh + material.blendOriginal * result[i];
+    }
+    return result;
+}
+
+ImageRgb renderReference(const Scene& scene, const std::shared_ptr<const Analysis>& analysis,
+                         const StepContext& context) {
+    const ReferenceRenderer renderer(scene, analysis);
+    const Accumulation sums = renderer.reshade(scene.render.samples, 0, context);
+    std::vector<std::uint8_t> edited(renderer.shading().size());
+    for (std::size_t label = 0; label < edited.size(); ++label)
+        edited[label] = renderer.shading()[label].diffuse.w != 0 ? 1 : 0;
+    const ImageRgb reshaded = scene.render.filter ? filterReshaded(sums, scene.photo->camera, *analysis->front,
+                                                                   scene.photo->labels, edited, {}, context)
+                                                  : meanRadiance(sums);
+    return renderer.composite(reshaded, renderer.translucency(context));
+}
+
+}  // namespace core

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/analysis.h"
+#include "core/depth_layers.h"
+#include "core/scene.h"
+#include "core/step_context.h"
+#include "core/translucency.h"
+#include "shaders/shared/path.h"
+
+namespace core {
+
+// The path loop, in words; kernels follow it step by step and draw the same random numbers.
+//
+// Inputs: layers (marched), colour and normal of both layers, environment, SegmentShading per label, N = bounces, seed.
+// radiance(pixel id, sample s, stream seed; start: point p, unit normal n, direction to the viewer wo, shading S):
+//
+//   T = 1, L = 0
+//   for b = 0 .. N-1:
+//     n  = shading_normal(n, wo)                                   (tilts normals that face away from wo)
+//     u  = rng_vec2(pixel id, s, 2b, seed)
+//     wi = path_scatter(S, b == 0, to_local(n, wo), u, weight);    if wi.z <= 0: end
+//     T *= weight;                                                 if T == 0: end
+//     d  = normalize(from_local(n, wi));  o = p + n · marchBias(camera, p.z)
+//     march(o, d);  miss: L += T · environment(d), end             (no environment: black)
+//     c  = colour of the hit pixel, of the layer that was entered;  S = shading[label of the hit pixel]
+//     if S.blend.w == 0 or b == N-1 or the layer's normal there is zero: L += T · c, end
+//     L += T · S.blend.y · c;  T *= S.blend.x
+//     p  = o + d · distance;  n = the layer's normal at the hit pixel;  wo = -d
+//
+// The picture: pixel id = y · width + x, seed = RenderParams::seed, start at the pixel's front position and normal with
+// wo = -p/|p|, in every pixel of an edited segment with valid depth; the mean over s is the re-shaded radiance. Pixels
+// whose sample is not finite (path_valid) drop it: a sum of zero counted as dropped.
+//
+// Surface samples: sampleSurface(seed) draws its positions with rng_stream(seed, 2l).
+//
+// Irradiance of surface sample i of label l: pixel id = i, seed = rng_stream(seed, 2l+1), ray j is s = j; b = 0 draws
+// wi = sample_cosine_hemisphere(rng_vec2(i, j, 0, seed)) around the sample's normal with weight = F_t(wi.z) instead of
+// path_scatter; from then on the same loop. Ê = (π/N_rays) Σ radiance.
+//
+// Translucent radiance before the outgoing Fresnel factor: B(p) = (1/π)(Ã/|S|) Σ_i Ê_i R_d(|p − s_i|²) with dipole_rd;
+// L_t = F_t(max(n·wo, 0)) · B with n = shading_normal(n, wo).
+//
+// Composite, edited segments only: blendNew · (reshaded + weight · L_t) + blendOriginal · photo. All other pixels are
+// the photograph's, bit for bit.
+
+/// Shading of every label (index = label; label 0 and labels without a segment end paths). An edited segment uses its
+/// material; a glossy unedited one GGX of width 0.05 with its ρ; both let paths go on.
+[[nodiscard]] std::vector<kernel::SegmentShading> buildSegmentShading(const Scene& scene, const Analysis& analysis);
+
+/// Specular colour of a segment when its material does not choose one: the user's ρ, the estimated one, or white.
+[[nodiscard]] Vector3f specularOf(const Segment& segment, const Analysis& analysis);
+
+/// Running sums of the re-shaded radiance. The filter needs the second moment to know the noise.
+struct Accumulation {
+    ImageRgb sum;
+    ImageF sumSquaredLuminance;
+    int samples = 0;
+    std::uint64_t dropped = 0;  ///< samples that were not finite; 0 unless something is wrong
+};
+
+/// CPU twin and oracle of the GPU renderer: slow, exact marching, plain sums in double. Works on its own copy of the
+/// scene's values; the analysis must hold front and back.
+class ReferenceRenderer {
+  public:
+    ReferenceRenderer(const Scene& scene, std::shared_ptr<const Analysis> analysis);
+
+    /// One path through pixel (x, y); zero where nothing is re-shaded.
+    [[nodiscard]] Vector3f pathRadiance(int x, int y, std::uint32_t sample) const;
+
+    /// `samples` paths per re-shaded pixel, numbered from `first`.
+    [[nodiscard]] Accumulation reshade(int samples, std::uint32_t first = 0,
+                                       const StepContext& context = StepContext()) const;
+
+    /// Ê of every surface sample of `label` [radiance · sr], `rays` rays each.
+    [[nodiscard]] std::vector<Vector3f> irradiance(const SurfaceSamples& samples, std::uint16_t label, float eta,
+                                                   int rays, const StepContext& context = StepContext()) const;
+
+    /// B of every pixel of `label` (see above), zero elsewhere; brute force.
+    [[nodiscard]] ImageRgb translucentRadiosity(const SurfaceSamples& samples, const std::vector<Vector3f>& irradiance,
+                                                std::uint16_t label, const kernel::DipoleParams& dipole,
+                                                const StepContext& context = StepContext()) const;
+
+    /// L_t of every translucent segment, with the scene's sample counts; the material's weight is not applied.
+    [[nodiscard]] ImageRgb translucency(const StepContext& context = StepContext()) const;
+
+    /// The edited photograph from mean re-shaded and translucent radiance.
+    [[nodiscard]] ImageRgb composite(const ImageRgb& reshaded, const ImageRgb& translucent) const;
+
+    [[nodiscard]] const std::vector<kernel::SegmentShading>& shading() const { return shading_; }
+
+  private:
+    struct Vertex;
+    [[nodiscard]] Vector3f follow(const Vertex& start, kernel::vec3 throughput, kernel::vec3 direction,
+                                  std::uint32_t pixel, std::uint32_t sample, std::uint32_t seed) const;
+    [[nodiscard]] const kernel::SegmentShading& shadingOf(std::uint16_t label) const;
+
+    Scene scene_;
+    std::shared_ptr<const Analysis> analysis_;
+    DepthLayers layers_;
+    std::vector<kernel::SegmentShading> shading_;
+};
+
+/// Everything: re-shades, scatters, filters (when the scene asks for it) and composites.
+[[nodiscard]] ImageRgb renderReference(const Scene& scene, const std::shared_ptr<const Analysis>& analysis,
+                                       const StepContext& context = StepContext());
+
+}  // namespace core
