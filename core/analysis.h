@@ -3,12 +3,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/directional_map.h"
 #include "core/image.h"
+#include "core/scene.h"
 
 namespace core {
+
+struct DepthLayers;
 
 /// One layer of surface: what the photograph shows (front) or what is assumed behind it (back).
 struct Surface {
@@ -29,10 +33,22 @@ struct Reflectance {
     DirectionalMap incident;     ///< L_G
 };
 
+/// How the back of one segment was made (DESIGN 3.2).
+struct BackSideInfo {
+    std::uint16_t label = 0;
+    BackSideMethod used = BackSideMethod::Offset;  ///< differs from the segment's choice when that one failed
+    std::string note;                              ///< why it differs, a full sentence; "" when it does not
+    /// E = max(C, O) of the mirror plane: C = fraction of points behind it, O = fraction mirrored outside the
+    /// silhouette, both in [0, 1]; 0 for Offset.
+    float mirrorError = 0;
+};
+
 /// Result of the analysis: stages 3.1 to 3.4. Parts are shared, so that a change recomputes only what it invalidates.
 struct Analysis {
     std::shared_ptr<const Surface> front;
     std::shared_ptr<const Surface> back;
+    std::shared_ptr<const DepthLayers> layers;  ///< front and back as rays see them (core/depth_layers.h)
+    std::vector<BackSideInfo> backSides;        ///< one per segment that has pixels, in label order
     std::vector<std::shared_ptr<const Reflectance>> reflectances;  ///< one per glossy segment, in label order
     std::shared_ptr<const DirectionalMap> environment;
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string>
 
 #include "core/analysis.h"
 #include "core/scene.h"
@@ -27,6 +29,10 @@ class AnalysisPipeline {
     /// Throws Error(Cancelled) when the context asks to stop (the cache stays valid) and Error(Input) when the scene
     /// cannot be analysed (no valid depth at all).
     [[nodiscard]] std::shared_ptr<const Analysis> run(const Scene& scene, const StepContext& context = StepContext());
+
+    /// How often each step has run, by its name: tells what a change recomputed.
+    using RunCounts = std::map<std::string, int>;
+    [[nodiscard]] const RunCounts& runCounts() const;
 
   private:
     struct Cache;

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/depth_layers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace core {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Largest slope that two one-sided differences support: the larger of the two, but not far more than the smaller,
+/// which is the one that does not cross a discontinuity. `floor` is a slope that is always allowed.
+float slopeLimit(std::optional<float> left, std::optional<float> right, float floor) {
+    if (!left && !right) return floor;
+    if (!left || !right) return 1.5f * std::abs(left ? *left : *right) + floor;
+    const auto [low, high] = std::minmax(std::abs(*left), std::abs(*right));
+    return std::min(high, 3 * low) + floor;
+}
+
+struct LayerBuilder {
+    const Camera& camera;
+    const LabelImage& labels;
+
+    [[nodiscard]] DepthLayers::Patch patch(const Surface& surface, int x, int y) const {
+        const float z = surface.depth(x, y);
+        if (z <= 0) return {};
+        const float w = 1 / z;
+        const auto difference = [&](int nx, int ny, float sign) -> std::optional<float> {
+            if (!labels.contains(nx, ny) || labels(nx, ny) != labels(x, y) || surface.depth(nx, ny) <= 0)
+                return std::nullopt;
+            return sign * (1 / surface.depth(nx, ny) - w);
+        };
+        // Plane n·p = c: w = n·ray(u, v)/c.
+        const Vector3f& n = surface.normal(x, y);
+        const float c = n.dot(camera.backProject(x, y, z));
+        DepthLayers::Patch result{w, 0, 0};
+        if (std::abs(c) > 1e-6f * z) {
+            result.gu = n.x() / (camera.fx * c);
+            result.gv = n.y() / (camera.fy * c);
+        }
+        const float limitU = slopeLimit(difference(x - 1, y, -1), difference(x + 1, y, 1), w / camera.fx);
+        const float limitV = slopeLimit(difference(x, y - 1, -1), difference(x, y + 1, 1), w / camera.fy);
+        result.gu = std::clamp(result.gu, -limitU, limitU);
+        result.gv = std::clamp(result.gv, -limitV, limitV);
+        keepPositive(result);
+        return result;
+    }
+
+    /// Flattens a patch that would reach w ≤ 0, infinity, inside its pixel.
+    static void keepPositive(DepthLayers::Patch& patch) {
+        const float drop = 0.5f * (std::abs(patch.gu) + std::abs(patch.gv));
+        const float allowed = 0.9f * patch.w;
+        if (drop <= allowed) return;
+        patch.gu *= allowed / drop;
+        patch.gv *= allowed / drop;
+    }
+};
+
+}  // namespace
+
+DepthLayers buildDepthLayers(const Camera& camera, const LabelImage& labels, const Surface& front,
+                             const Surface& back) {
+    CORE_ASSERT(front.depth.sameSize(labels) && back.depth.sameSize(labels), "layers of one size");
+    DepthLayers layers;
+    layers.camera = camera;
+    layers.labels = labels;
+    layers.front = Image<DepthLayers::Patch>(labels.width(), labels.height());
+    layers.back = Image<DepthLayers::Patch>(labels.width(), labels.height());
+    const LayerBuilder builder{camera, labels};
+    for (int y = 0; y < labels.height(); ++y) {
+        for (int x = 0; x < labels.width(); ++x) {
+            DepthLayers::Patch near = builder.patch(front, x, y);
+            if (near.w <= 0) continue;
+            DepthLayers::Patch far = builder.patch(back, x, y);
+            if (far.w <= 0) far = near;
+            far.w = std::min(far.w, near.w);
+            // Both planes are linear, so they do not cross inside the pixel when they do not at its corners.
+            const float gap = near.w - far.w;
+            const float tilt = 0.5f * (std::abs(near.gu - far.gu) + std::abs(near.gv - far.gv));
+            if (tilt > gap) {
+                far.gu = near.gu;
+                far.gv = near.gv;
+                const float drop = 0.5f * (std::abs(far.gu) + std::abs(far.gv));
+                const float allowed = 0.9f * far.w;
+                if (drop > allowed) {
+                    near.gu = far.gu *= allowed / drop;
+                    near.gv = far.gv *= allowed / drop;
+                }
+            }
+            layers.front(x, y) = near;
+            layers.back(x, y) = far;
+        }
+    }
+    return layers;
+}
+
+float marchBias(const Camera& camera, float z) { return z / (camera.fx + camera.fy); }
+
+std::optional<MarchHit> march(const DepthLayers& layers, const Vector3f& origin, const Vector3f& direction) {
+    const Camera& camera = layers.camera;
+    const int width = layers.front.width();
+    const int height = layers.front.height();
+    const Eigen::Vector3d p = origin.cast<double>();
+    const Eigen::Vector3d d = direction.cast<double>();
+    if (!(p.z() > 0)) return std::nullopt;
+
+    const double u0 = camera.fx * p.x() / p.z() + camera.cx;
+    const double v0 = camera.fy * p.y() / p.z() + camera.cy;
+    const double w0 = 1 / p.z();
+    const double slopeU = camera.fx * (d.x() - d.z() * p.x() / p.z());
+    const double slopeV = camera.fy * (d.y() - d.z() * p.y() / p.z());
+    const double slopeW = -d.z() / p.z();
+    double end = d.z() > 0 ? 1 / d.z() : kInfinity;
+    double begin = 0;
+    const auto clip = [&](double start, double slope, double size) {
+        if (slope == 0) {
+            if (!(start >= 0 && start < size)) end = -1;
+            return;
+        }
+        const double a = -start / slope;
+        const double b = (size - start) / slope;
+        begin = std::max(begin, std::min(a, b));
+        end = std::min(end, std::max(a, b));
+    };
+    clip(u0, slopeU, width);
+    clip(v0, slopeV, height);
+    if (!(begin <= end)) return std::nullopt;
+
+    int x = std::clamp(static_cast<int>(std::floor(u0 + slopeU * begin)), 0, width - 1);
+    int y = std::clamp(static_cast<int>(std::floor(v0 + slopeV * begin)), 0, height - 1);
+    const int stepX = slopeU > 0 ? 1 : -1;
+    const int stepY = slopeV > 0 ? 1 : -1;
+    const auto boundary = [](double start, double slope, int cell) {
+        if (slope == 0) return kInfinity;
+        return ((slope > 0 ? cell + 1 : cell) - start) / slope;
+    };
+
+    bool escaping = begin <= 0;
+    double s0 = begin;
+    while (true) {
+        const double nextU = boundary(u0, slopeU, x);
+        const double nextV = boundary(v0, slopeV, y);
+        const double s1 = std::max(s0, std::min({nextU, nextV, end}));
+
+        const DepthLayers::Patch& front = layers.front(x, y);
+        bool leavesInside = false;
+        if (front.w > 0) {
+            const DepthLayers::Patch& back = layers.back(x, y);
+            // f(s) = front − w ≥ 0 and g(s) = w − back ≥ 0, each fs + fd·s.
+            const double du = u0 - (x + 0.5);
+            const double dv = v0 - (y + 0.5);
+            const double f0 = front.w + front.gu * du + front.gv * dv - w0;
+            const double fd = front.gu * slopeU + front.gv * slopeV - slopeW;
+            const double g0 = w0 - (back.w + back.gu * du + back.gv * dv);
+            const double gd = slopeW - (back.gu * slopeU + back.gv * slopeV);
+            double a = s0;
+            double b = s1;
+            bool throughBack = false;
+            bool empty = false;
+            const auto cut = [&](double value, double slope, bool isBack) {
+                if (slope == 0) {
+                    empty = empty || value < 0;
+                } else if (const double root = -value / slope; slope > 0) {
+                    if (root > a) {
+                        a = root;
+                        throughBack = isBack;
+                    }
+                } else {
+                    b = std::min(b, root);
+                }
+            };
+            cut(f0, fd, false);
+            cut(g0, gd, true);
+            if (!empty && a <= b) {
+                if (!(escaping && a <= s0)) {
+                    const double w = w0 + slopeW * a;
+                    if (a <= s0) throughBack = f0 + fd * a > g0 + gd * a;
+                    return MarchHit{x, y, throughBack, static_cast<float>(a / w)};
+                }
+                leavesInside = b >= s1;
+            }
+        }
+        escaping = escaping && leavesInside;
+
+        if (s1 >= end || s1 == kInfinity) return std::nullopt;
+        if (nextU <= nextV) x += stepX;
+        if (nextV <= nextU) y += stepY;
+        if (x < 0 || y < 0 || x >= width || y >= height) return std::nullopt;
+        s0 = s1;
+    }
+}
+
+}  // namespace core
