@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/scene.h"
@@ -11,22 +13,42 @@ namespace core {
 
 struct CreateOptions {
     std::string color;  ///< photograph
-    std::string depth;  ///< "" = no separate depth file
+    std::string depth;  ///< "" = inside the colour file (an EXR with a channel Z)
     DepthKind depthKind = DepthKind::Z;
-    std::optional<double> depthUnit;   ///< metres per stored unit; nullopt = 1 for float files, 0.001 for 16-bit PNG
+    /// Metres per stored unit; nullopt = 1 for float files, 0.001 for 16-bit integers. 8-bit files and integers that
+    /// are no lengths (Disparity, Inverse) need it.
+    std::optional<double> depthUnit;
     std::optional<Camera> intrinsics;  ///< fx, fy, cx, cy in pixels of the colour image
     std::optional<float> hfov;         ///< [rad]; with neither, a 35 mm equivalent from the file or 60 degrees
     std::string segments;              ///< label map, 8 or 16 bit; "" = none
     std::vector<std::string> glossy;   ///< labels or names
 };
 
-/// Loads colour, depth and labels into a scene. Throws Error(Input) naming the file, what was expected and what was
-/// found.
-[[nodiscard]] Scene createScene(const CreateOptions& options);
+/// Loads colour, depth and labels into a scene. Depth and labels may be smaller than the colour image if the shape
+/// agrees within 2 %: they are enlarged by nearest neighbour, so that nothing is blended across an edge. Throws
+/// Error(Input) naming the file, what was expected and what was found, and Error(Usage) for options that are out of
+/// range or name labels that do not occur. `notes` receives sentences for the user about what was assumed.
+[[nodiscard]] Scene createScene(const CreateOptions& options, std::vector<std::string>* notes = nullptr);
+
+/// Stored depth values to planar z [m]; 0 where there is none: not finite, ≤ 0, or beyond kMaxDepth. `camera` has the
+/// stored image's size. Kinds: see DepthKind; `unit` in metres.
+[[nodiscard]] ImageF planarDepth(const ImageF& stored, DepthKind kind, double unit, const Camera& camera);
+/// Farther than this [m] is no measurement: renderers write 1e10 for the sky.
+inline constexpr float kMaxDepth = 10000.0f;
+
+/// An environment for EnvironmentParams::image; latitude-longitude, width = 2·height. Throws Error(Input).
+[[nodiscard]] std::shared_ptr<const ImageRgb> loadEnvironment(const std::string& path);
+/// Measured back sides for Scene::backDepth: planar z in metres (16-bit integers: millimetres), 0 = none, of the
+/// photograph's size or smaller. Throws Error(Input).
+[[nodiscard]] std::shared_ptr<const ImageF> loadBackDepth(const std::string& path, const Camera& camera);
+
+/// "z", "distance", "disparity", "inverse": the words of files and command line.
+[[nodiscard]] const char* depthKindKey(DepthKind kind);
+[[nodiscard]] std::optional<DepthKind> findDepthKind(std::string_view key);
 
 /// Reads a `.patina` project (JSON; format in docs/project-format.md). Image paths are relative to the project file.
 /// Unknown keys, wrong types and out-of-range values are errors that name the key.
-[[nodiscard]] Scene loadProject(const std::string& path);
+[[nodiscard]] Scene loadProject(const std::string& path, std::vector<std::string>* notes = nullptr);
 
 /// Writes atomically: a temporary file beside the target, flushed, then renamed; the old file survives any failure.
 void saveProject(const Scene& scene, const std::string& path);

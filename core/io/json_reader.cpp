@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/json_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+
+namespace core {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr int kMaxNesting = 64;
+
+std::string excerpt(const json& value) {
+    std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
+    if (text.size() > 60) text = text.substr(0, 57) + "...";
+    return text;
+}
+
+std::string numberText(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+std::string rangeText(double min, double max) {
+    const bool unlimited = max >= static_cast<double>(std::numeric_limits<float>::max());
+    return unlimited ? "a number of at least " + numberText(min)
+                     : "a number in [" + numberText(min) + ", " + numberText(max) + "]";
+}
+
+}  // namespace
+
+JsonReader::JsonReader(const json& value, std::string place, ErrorKind kind)
+    : object_(&value), place_(std::move(place)), kind_(kind) {
+    if (value.is_object()) return;
+    throw Error(kind, (place_.empty() ? "The value" : "\"" + place_ + "\"") + " is " + excerpt(value) +
+                          ", expected an object {...}.");
+}
+
+std::string JsonReader::place(const std::string& key) const { return place_.empty() ? key : place_ + "." + key; }
+
+void JsonReader::fail(const std::string& key, const std::string& expected, const json& found) const {
+    fail("\"" + place(key) + "\" is " + excerpt(found) + ", expected " + expected + ".");
+}
+
+void JsonReader::fail(const std::string& sentence) const { throw Error(kind_, sentence); }
+
+const json* JsonReader::find(const char* key) {
+    known_.insert(key);
+    const auto found = object_->find(key);
+    return found == object_->end() ? nullptr : &*found;
+}
+
+double JsonReader::number(const std::string& key, const json& value, double min, double max) const {
+    if (!value.is_number()) fail(key, rangeText(min, max), value);
+    const auto result = value.get<double>();
+    // 0.3 in the file is inside a range that ends at 0.3f
+    const bool inside = (result >= min && result <= max) || (static_cast<float>(result) >= static_cast<float>(min) &&
+                                                             static_cast<float>(result) <= static_cast<float>(max));
+    if (!inside) fail(key, rangeText(min, max), value);
+    return result;
+}
+
+void JsonReader::read(const char* key, bool& target) {
+    const json* value = find(key);
+    if (value == nullptr) return;
+    if (!value->is_boolean()) fail(key, "true or false", *value);
+    target = value->get<bool>();
+}
+
+void JsonReader::read(const char* key, std::string& target) {
+    const json* value = find(key);
+    if (value == nullptr) return;
+    if (!value->is_string()) fail(key, "a text in quotes", *value);
+    target = value->get<std::string>();
+    if (target.find('\0') != std::string::npos) fail(key, "a text without zero bytes", *value);
+}
+
+void JsonReader::read(const char* key, float& target, float min, float max) {
+    if (const json* value = find(key))
+        target = static_cast<float>(number(key, *value, static_cast<double>(min), static_cast<double>(max)));
+}
+
+void JsonReader::read(const char* key, double& target, double min, double max) {
+    if (const json* value = find(key)) target = number(key, *value, min, max);
+}
+
+void JsonReader::read(const char* key, int& target, int min, int max) {
+    const json* value = find(key);
+    if (value == nullptr) return;
+    const std::string expected = "a whole number from " + std::to_string(min) + " to " + std::to_string(max);
+    if (!value->is_number_integer()) fail(key, expected, *value);
+    const bool tooLarge = value->is_number_unsigned() && value->get<std::uint64_t>() > static_cast<std::uint64_t>(max);
+    if (tooLarge || value->get<std::int64_t>() < min || value->get<std::int64_t>() > max) fail(key, expected, *value);
+    target = value->get<int>();
+}
+
+void JsonReader::read(const char* key, std::uint32_t& target) {
+    const json* value = find(key);
+    if (value == nullptr) return;
+    if (!value->is_number_unsigned() || value->get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
+        fail(key, "a whole number from 0 to 4294967295", *value);
+    target = value->get<std::uint32_t>();
+}
+
+void JsonReader::read(const char* key, Vector3f& target, float min, float max) {
+    const json* value = find(key);
+    if (value == nullptr) return;
+    if (!value->is_array() || value->size() != 3) fail(key, "three numbers [r, g, b]", *value);
+    for (std::size_t c = 0; c < 3; ++c)
+        target[static_cast<int>(c)] =
+            static_cast<float>(number(std::string(key) + "[" + std::to_string(c) + "]", (*value)[c],
+                                      static_cast<double>(min), static_cast<double>(max)));
+}
+
+void JsonReader::readColorOrNumber(const char* key, Vector3f& target, float min, float max) {
+    const json* value = find(key);
+    if (value == nullptr || !value->is_number()) return read(key, target, min, max);
+    target.setConstant(static_cast<float>(number(key, *value, static_cast<double>(min), static_cast<double>(max))));
+}
+
+std::optional<std::size_t> JsonReader::readChoice(const char* key, const std::vector<std::string>& words) {
+    const json* value = find(key);
+    if (value == nullptr) return std::nullopt;
+    if (value->is_string()) {
+        const auto found = std::ranges::find(words, value->get<std::string>());
+        if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+    }
+    std::string expected = "one of";
+    for (const std::string& word : words) expected += (&word == words.data() ? " \"" : ", \"") + word + "\"";
+    fail(key, expected, *value);
+}
+
+void JsonReader::require(const char* key) const {
+    if (!has(key)) fail("The key \"" + place(key) + "\" is missing.");
+}
+
+void JsonReader::finish(const std::string& hint) const {
+    for (const auto& [key, value] : object_->items()) {
+        if (known_.contains(key)) continue;
+        std::string expected;
+        for (const std::string& name : known_) expected += (expected.empty() ? "\"" : ", \"") + name + "\"";
+        fail("The key " + excerpt(json(place(key))) + " is unknown, expected " + expected + "." +
+             (hint.empty() ? "" : " " + hint));
+    }
+}
+
+double toJson(float value) {
+    for (int digits = 6; digits <= 9; ++digits) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.*g", digits, static_cast<double>(value));
+        const double parsed = std::strtod(text, nullptr);
+        if (static_cast<float>(parsed) == value) return parsed;
+    }
+    return static_cast<double>(value);
+}
+
+json toJson(const Vector3f& v) { return json::array({toJson(v.x()), toJson(v.y()), toJson(v.z())}); }
+
+json parseJson(std::string_view text, ErrorKind kind) {
+    std::vector<std::set<std::string>> open;
+    std::string problem;
+    const auto check = [&](int depth, json::parse_event_t event, json& parsed) {
+        if (depth > kMaxNesting) problem = "The JSON text is nested deeper than " + std::to_string(kMaxNesting) + ".";
+        if (event == json::parse_event_t::object_start) open.emplace_back();
+        if (event == json::parse_event_t::object_end && !open.empty()) open.pop_back();
+        if (event == json::parse_event_t::key && !open.empty() && !open.back().insert(parsed.get<std::string>()).second)
+            problem = "The key \"" + parsed.get<std::string>() + "\" occurs twice.";
+        if (!problem.empty()) throw Error(kind, problem);
+        return true;
+    };
+    try {
+        return json::parse(text, check);
+    } catch (const json::exception& error) {
+        std::string reason = error.what();
+        if (const std::size_t at = reason.find("] "); at != std::string::npos) reason = reason.substr(at + 2);
+        std::replace_if(reason.begin(), reason.end(), [](unsigned char c) { return c < 32; }, ' ');
+        throw Error(kind, "The JSON text is damaged: " + reason + ".");
+    }
+}
+
+}  // namespace core

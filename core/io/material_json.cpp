@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/material_json.h"
+
+#include "core/brdf.h"
+#include "core/io/json_reader.h"
+#include "core/io/project.h"
+#include "core/translucency.h"
+
+namespace core {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr float kMaxSpecular = 100;       // an estimated ρ may exceed 1
+constexpr float kMaxIndex = 20;           // metals at long wavelengths reach 10
+constexpr float kMinIndex = 0.01f;        // silver reaches 0.05
+constexpr float kMaxWeight = 100;
+constexpr float kMaxCoefficient = 1e5f;   // [1/mm]
+constexpr float kMaxFreePath = 1e5f;      // [mm]
+constexpr float kMinFreePath = 1e-4f;     // [mm]
+
+std::vector<std::string> brdfKeys() {
+    std::vector<std::string> keys;
+    for (const BrdfInfo& brdf : brdfs()) keys.emplace_back(brdf.key);
+    return keys;
+}
+
+std::string parameterHint(const BrdfInfo& brdf) {
+    std::string names;
+    for (const ParamInfo& param : brdf.params) names += (names.empty() ? "\"" : ", \"") + std::string(param.key) + "\"";
+    return "The BRDF \"" + std::string(brdf.key) + "\" " +
+           (names.empty() ? "has no parameters of its own." : "has the parameters " + names + ".");
+}
+
+Translucency readTranslucency(const json& value, const std::string& place, ErrorKind kind) {
+    JsonReader reader(value, place, kind);
+    Translucency result;
+    float eta = 1.3f;
+    reader.read("eta", eta, 1.0f, 3.0f);
+    reader.read("scale", result.scale, 1e-4f, 1e4f);
+    reader.read("weight", result.weight, 0.0f, kMaxWeight);
+
+    const bool preset = reader.has("preset");
+    const bool coefficients = reader.has("sigma_a") || reader.has("sigma_s_prime");
+    const bool diffuse = reader.has("diffuse_color") || reader.has("mean_free_path_mm");
+    if (int{preset} + int{coefficients} + int{diffuse} != 1)
+        reader.fail("\"" + place +
+                    "\" needs exactly one of: \"preset\"; \"sigma_a\" with \"sigma_s_prime\"; \"diffuse_color\" with "
+                    "\"mean_free_path_mm\".");
+    std::string name;
+    reader.read("preset", name);
+    Vector3f color(0, 0, 0);
+    Vector3f freePath(1, 1, 1);
+    if (coefficients) {
+        reader.require("sigma_a");
+        reader.require("sigma_s_prime");
+    } else if (diffuse) {
+        reader.require("diffuse_color");
+        reader.require("mean_free_path_mm");
+    }
+    reader.read("sigma_a", result.sigmaA, 0.0f, kMaxCoefficient);
+    reader.read("sigma_s_prime", result.sigmaSPrime, 0.0f, kMaxCoefficient);
+    reader.read("diffuse_color", color, 0.0f, 1.0f);
+    reader.readColorOrNumber("mean_free_path_mm", freePath, kMinFreePath, kMaxFreePath);
+    reader.finish();
+
+    if (preset) {
+        const TranslucencyPreset* found = findTranslucencyPreset(name);
+        if (found == nullptr) {
+            std::string names;
+            for (const TranslucencyPreset& p : translucencyPresets())
+                names += (names.empty() ? "\"" : ", \"") + std::string(p.key) + "\"";
+            reader.fail("\"" + reader.place("preset") + "\" is \"" + name + "\", expected one of " + names + ".");
+        }
+        const Translucency measured = toTranslucency(*found);
+        result.preset = found->key;
+        result.sigmaA = measured.sigmaA;
+        result.sigmaSPrime = measured.sigmaSPrime;
+    } else if (diffuse) {
+        const Translucency inverted = translucencyFromDiffuse(color, freePath, eta);
+        result.sigmaA = inverted.sigmaA;
+        result.sigmaSPrime = inverted.sigmaSPrime;
+    }
+    result.eta = eta;
+    return result;
+}
+
+ordered_json writeTranslucency(const Translucency& t) {
+    ordered_json result;
+    const TranslucencyPreset* preset = t.preset.empty() ? nullptr : findTranslucencyPreset(t.preset);
+    const bool unchanged = preset != nullptr && toTranslucency(*preset).sigmaA == t.sigmaA &&
+                           toTranslucency(*preset).sigmaSPrime == t.sigmaSPrime;
+    if (unchanged) {
+        result["preset"] = t.preset;
+    } else {
+        result["sigma_a"] = toJson(t.sigmaA);
+        result["sigma_s_prime"] = toJson(t.sigmaSPrime);
+    }
+    result["eta"] = toJson(t.eta);
+    result["scale"] = toJson(t.scale);
+    result["weight"] = toJson(t.weight);
+    return result;
+}
+
+}  // namespace
+
+Material readMaterial(const json& value, const std::string& place, ErrorKind kind) {
+    JsonReader reader(value, place, kind);
+    reader.require("brdf");
+    const std::size_t index = *reader.readChoice("brdf", brdfKeys());
+    const BrdfInfo& brdf = brdfs()[index];
+    Material material = defaultMaterial(brdf);
+    reader.read("albedo", material.albedo, 0.0f, 1.0f);
+    if (const json* specular = reader.find("specular")) {
+        if (specular->is_string()) {
+            if (*specular != "estimated") reader.fail("specular", "[r, g, b] or \"estimated\"", *specular);
+            material.specular.reset();
+        } else {
+            Vector3f color;
+            reader.read("specular", color, 0.0f, kMaxSpecular);
+            material.specular = color;
+        }
+    }
+    for (std::size_t i = 0; i < brdf.params.size(); ++i)
+        reader.read(brdf.params[i].key, material.values[i], brdf.params[i].min, brdf.params[i].max);
+    if (reader.readChoice("fresnel", {"none", "schlick", "dielectric", "conductor"}))
+        material.fresnel = *findFresnel(reader.find("fresnel")->get<std::string>());
+    reader.readColorOrNumber("eta", material.eta, kMinIndex, kMaxIndex);
+    reader.readColorOrNumber("k", material.k, 0.0f, kMaxIndex);
+    if (const json* blend = reader.find("blend")) {
+        JsonReader weights(*blend, reader.place("blend"), kind);
+        weights.read("new", material.blendNew, 0.0f, kMaxWeight);
+        weights.read("original", material.blendOriginal, 0.0f, kMaxWeight);
+        weights.finish();
+    }
+    if (const json* translucency = reader.find("translucency"); translucency != nullptr && !translucency->is_null())
+        material.translucency = readTranslucency(*translucency, reader.place("translucency"), kind);
+    reader.finish(parameterHint(brdf));
+    return material;
+}
+
+ordered_json writeMaterial(const Material& material) {
+    ordered_json result;
+    const BrdfInfo* brdf = findBrdf(material.brdf);
+    CORE_ASSERT(brdf != nullptr, "a material's BRDF is one of the list");
+    result["brdf"] = material.brdf;
+    result["albedo"] = toJson(material.albedo);
+    result["specular"] = material.specular ? toJson(*material.specular) : json("estimated");
+    for (std::size_t i = 0; brdf != nullptr && i < brdf->params.size(); ++i)
+        result[brdf->params[i].key] = toJson(material.values[i]);
+    result["fresnel"] = fresnelKey(material.fresnel);
+    result["eta"] = toJson(material.eta);
+    result["k"] = toJson(material.k);
+    result["blend"] = {{"new", toJson(material.blendNew)}, {"original", toJson(material.blendOriginal)}};
+    if (material.translucency) result["translucency"] = writeTranslucency(*material.translucency);
+    return result;
+}
+
+Material materialFromJson(const std::string& text) {
+    return readMaterial(parseJson(text, ErrorKind::Usage), "", ErrorKind::Usage);
+}
+
+std::string materialToJson(const Material& material) { return writeMaterial(material).dump(); }
+
+}  // namespace core

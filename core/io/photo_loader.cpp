@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/photo_loader.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "core/io/image_io.h"
+#include "core/io/orientation.h"
+#include "core/io/project.h"
+
+namespace core {
+
+namespace {
+
+constexpr double kDefaultFovDegrees = 60;
+constexpr double kFilmDiagonal = 43.266615;  // of a 36 mm x 24 mm frame [mm]
+constexpr double kShapeTolerance = 0.02;     // of width / height
+constexpr std::array<const char*, 4> kDepthKinds{"z", "distance", "disparity", "inverse"};
+
+void note(std::vector<std::string>* notes, const std::string& sentence) {
+    if (notes != nullptr) notes->push_back(sentence);
+}
+
+std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+/// Same shape within the tolerance, and not larger: what can be enlarged to the photograph.
+bool fits(int width, int height, const Camera& camera) {
+    const double ratio = static_cast<double>(width) * camera.height / (static_cast<double>(height) * camera.width);
+    return std::abs(ratio - 1) <= kShapeTolerance && width <= camera.width && height <= camera.height;
+}
+
+template <class T>
+Image<T> enlarge(Image<T> image, const Camera& camera) {
+    if (image.width() == camera.width && image.height() == camera.height) return image;
+    Image<T> result(camera.width, camera.height);
+    for (int y = 0; y < camera.height; ++y) {
+        const auto v = static_cast<int>((static_cast<long>(2 * y + 1) * image.height()) / (2L * camera.height));
+        for (int x = 0; x < camera.width; ++x) {
+            const auto u = static_cast<int>((static_cast<long>(2 * x + 1) * image.width()) / (2L * camera.width));
+            result(x, y) = image(u, v);
+        }
+    }
+    return result;
+}
+
+/// Brings a map to the photograph's raster, still at its own resolution. A map that says nothing about its orientation
+/// but has the shape of the photograph as it is stored is turned with it.
+template <class T>
+Image<T> matchOrientation(Image<T> map, const std::string& path, const char* what, const Camera& camera,
+                          int mapOrientation, int colorOrientation, const std::string& colorPath) {
+    if (fits(map.width(), map.height(), camera)) return map;
+    if (mapOrientation == 1 && colorOrientation >= 5 && fits(map.height(), map.width(), camera))
+        return applyOrientation(std::move(map), colorOrientation);
+    throw Error(ErrorKind::Input, std::string(what) + " size (" + sizeText(map.width(), map.height()) +
+                                      ") differs from colour image size (" + sizeText(camera.width, camera.height) +
+                                      "); expected the same size or a smaller image of the same shape. While loading \"" +
+                                      path + "\" for \"" + colorPath + "\".");
+}
+
+Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, std::vector<std::string>* notes) {
+    const int w = info.width;
+    const int h = info.height;
+    const std::string& path = request.source.color;
+    if (request.intrinsics) {
+        Camera camera = *request.intrinsics;
+        camera.width = w;
+        camera.height = h;
+        const auto sane = [](float v, int size) {
+            return std::isfinite(v) && std::abs(v) <= 10.0f * static_cast<float>(size);
+        };
+        const auto focal = [](float f, int size) {
+            return std::isfinite(f) && f >= 0.01f * static_cast<float>(size) && f <= 1000.0f * static_cast<float>(size);
+        };
+        if (!focal(camera.fx, w) || !focal(camera.fy, h) || !sane(camera.cx, w) || !sane(camera.cy, h)) {
+            std::ostringstream text;
+            text << "The intrinsics fx=" << camera.fx << ", fy=" << camera.fy << ", cx=" << camera.cx
+                 << ", cy=" << camera.cy << " do not fit the colour image \"" << path << "\" of "
+                 << sizeText(w, h) << " pixels: expected focal lengths of 0.01 to 1000 image sides and a principal point "
+                 << "within 10 image sides.";
+            throw Error(ErrorKind::Usage, text.str());
+        }
+        return camera;
+    }
+    if (request.hfov) {
+        if (!(*request.hfov > 0.001f && *request.hfov < 3.1f))
+            throw Error(ErrorKind::Usage, "The horizontal field of view is " +
+                                              std::to_string(*request.hfov * 180 / std::numbers::pi_v<float>) +
+                                              " degrees, expected 0.1 to 177.");
+        return Camera::fromHorizontalFov(w, h, *request.hfov);
+    }
+    if (info.focal35mm) {
+        const double diagonal = std::hypot(w, h);
+        const auto focal = static_cast<float>(static_cast<double>(*info.focal35mm) * diagonal / kFilmDiagonal);
+        std::ostringstream text;
+        text << "The focal length is taken from \"" << path << "\": " << *info.focal35mm << " mm (35 mm equivalent).";
+        note(notes, text.str());
+        return {w, h, focal, focal, 0.5f * static_cast<float>(w), 0.5f * static_cast<float>(h)};
+    }
+    note(notes, "No focal length is given and \"" + path +
+                    "\" does not state one: assuming a horizontal field of view of 60 degrees.");
+    return Camera::fromHorizontalFov(w, h, static_cast<float>(kDefaultFovDegrees * std::numbers::pi / 180));
+}
+
+double chooseUnit(const PhotoRequest& request, const std::string& depthPath, const StoredFormat& format) {
+    if (request.depthUnit) {
+        if (!(*request.depthUnit > 0) || !std::isfinite(*request.depthUnit))
+            throw Error(ErrorKind::Usage, "The depth unit is " + std::to_string(*request.depthUnit) +
+                                              ", expected metres per stored unit, greater than 0.");
+        return *request.depthUnit;
+    }
+    const bool length = request.source.depthKind == DepthKind::Z || request.source.depthKind == DepthKind::Distance;
+    if (format.floating) return 1;
+    if (format.bits == 16 && length) return 0.001;
+    throw Error(ErrorKind::Usage, "The depth image \"" + depthPath + "\" stores " + std::to_string(format.bits) +
+                                      "-bit integers, whose unit cannot be guessed: give the metres per stored unit "
+                                      "(--depth-unit).");
+}
+
+ImageF loadDepth(const std::string& path, DepthKind kind, double unit, const Camera& camera, int colorOrientation,
+                 const std::string& colorPath, const char* what, std::vector<std::string>* notes) {
+    const ImageInfo info = readImageInfo(path);
+    const ImageF stored = matchOrientation(loadScalar(path), path, what, camera, info.orientation, colorOrientation,
+                                           colorPath);
+    const float sx = static_cast<float>(stored.width()) / static_cast<float>(camera.width);
+    const float sy = static_cast<float>(stored.height()) / static_cast<float>(camera.height);
+    const Camera own{stored.width(), stored.height(), camera.fx * sx, camera.fy * sy, camera.cx * sx, camera.cy * sy};
+    if (stored.width() != camera.width)
+        note(notes, "\"" + path + "\" (" + sizeText(stored.width(), stored.height()) + ") is enlarged to the colour image (" +
+                        sizeText(camera.width, camera.height) + ").");
+    return enlarge(planarDepth(stored, kind, unit, own), camera);
+}
+
+void requireValidDepth(const ImageF& depth, const std::string& path) {
+    for (const float z : depth.pixels())
+        if (z > 0) return;
+    throw Error(ErrorKind::Input, "Depth image \"" + path +
+                                      "\" has no valid pixel: every value is zero, negative, not a number or beyond " +
+                                      std::to_string(static_cast<int>(kMaxDepth)) + " m.");
+}
+
+}  // namespace
+
+const char* depthKindKey(DepthKind kind) { return kDepthKinds[static_cast<std::size_t>(kind)]; }
+
+std::optional<DepthKind> findDepthKind(std::string_view key) {
+    for (std::size_t i = 0; i < kDepthKinds.size(); ++i)
+        if (key == kDepthKinds[i]) return static_cast<DepthKind>(i);
+    return std::nullopt;
+}
+
+ImageF planarDepth(const ImageF& stored, DepthKind kind, double unit, const Camera& camera) {
+    ImageF result(stored.width(), stored.height(), 0.0f);
+    for (int y = 0; y < stored.height(); ++y)
+        for (int x = 0; x < stored.width(); ++x) {
+            const auto value = static_cast<double>(stored(x, y));
+            if (!std::isfinite(value) || value <= 0) continue;
+            double z = value * unit;
+            if (kind == DepthKind::Distance) z /= static_cast<double>(camera.pixelRay(x, y).norm());
+            if (kind == DepthKind::Disparity || kind == DepthKind::Inverse) z = unit / value;
+            const auto metres = static_cast<float>(z);
+            if (metres > 0 && metres <= kMaxDepth) result(x, y) = metres;
+        }
+    return result;
+}
+
+std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, std::vector<std::string>* notes) {
+    auto photo = std::make_shared<Photo>();
+    photo->source = request.source;
+    PhotoSource& source = photo->source;
+    const ImageInfo info = readImageInfo(source.color);
+    if (source.depth.empty() && !info.hasDepthChannel)
+        throw Error(ErrorKind::Input, "\"" + source.color +
+                                          "\" contains no depth map (an EXR channel Z), and no depth image is given.");
+    const std::string& depthPath = source.depth.empty() ? source.color : source.depth;
+    const StoredFormat depthFormat = source.depth.empty() ? info.format : storedFormat(depthPath);
+    source.depthUnit = chooseUnit(request, depthPath, depthFormat);
+    photo->camera = chooseCamera(request, info, notes);
+    const Camera& camera = photo->camera;
+
+    photo->color = loadColor(source.color);
+    photo->depth = loadDepth(depthPath, source.depthKind, source.depthUnit, camera, info.orientation, source.color,
+                             "Depth image", notes);
+    requireValidDepth(photo->depth, depthPath);
+    if (source.segments.empty()) {
+        photo->labels = LabelImage(camera.width, camera.height, 0);
+    } else {
+        const ImageInfo labelInfo = readImageInfo(source.segments);
+        photo->labels = enlarge(matchOrientation(loadLabels(source.segments), source.segments, "Label map", camera,
+                                                 labelInfo.orientation, info.orientation, source.color),
+                                camera);
+    }
+    return photo;
+}
+
+std::shared_ptr<const ImageRgb> loadEnvironment(const std::string& path) {
+    auto image = std::make_shared<ImageRgb>(loadColor(path));
+    if (image->width() != 2 * image->height())
+        throw Error(ErrorKind::Input, "Environment \"" + path + "\" has " + sizeText(image->width(), image->height()) +
+                                          " pixels, expected a latitude-longitude map, twice as wide as high.");
+    return image;
+}
+
+std::shared_ptr<const ImageF> loadBackDepth(const std::string& path, const Camera& camera) {
+    const StoredFormat format = storedFormat(path);
+    auto depth = std::make_shared<ImageF>(loadDepth(path, DepthKind::Z, format.floating ? 1.0 : 0.001, camera, 1,
+                                                    "the photograph", "Back depth image", nullptr));
+    requireValidDepth(*depth, path);
+    return depth;
+}
+
+}  // namespace core
