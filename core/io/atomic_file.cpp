@@ -74,8 +74,8 @@ void AtomicFile::commit() {
 
 void writeFileAtomically(const std::string& path, std::string_view bytes) {
     AtomicFile file(path);
-    const int descriptor =
-        ::open(file.temporaryPath().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH);
+    const int descriptor = ::open(file.temporaryPath().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
+                                  S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH);
     if (descriptor < 0) failWriting(path, systemReason(errno));
     std::size_t written = 0;
     while (written < bytes.size()) {

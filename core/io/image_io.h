@@ -31,11 +31,11 @@ struct StoredFormat {
 [[nodiscard]] StoredFormat storedFormat(const std::string& path);
 /// What a file says about itself, without reading its pixels.
 struct ImageInfo {
-    int width = 0;   ///< as displayed (orientation applied)
-    int height = 0;  ///< as displayed
-    int orientation = 1;                ///< EXIF, 1..8
-    std::optional<float> focal35mm;     ///< 35 mm equivalent focal length [mm], when > 0
-    bool hasDepthChannel = false;       ///< a channel called Z
+    int width = 0;                   ///< as displayed (orientation applied)
+    int height = 0;                  ///< as displayed
+    int orientation = 1;             ///< EXIF, 1..8
+    std::optional<float> focal35mm;  ///< 35 mm equivalent focal length [mm], when > 0
+    bool hasDepthChannel = false;    ///< a channel called Z
     StoredFormat format;
 };
 [[nodiscard]] ImageInfo readImageInfo(const std::string& path);

@@ -88,7 +88,8 @@ std::uint32_t crc32(std::string_view bytes) {
 }
 
 void appendBigEndian(std::string& bytes, std::uint32_t value) {
-    for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<char>(value >> static_cast<unsigned>(shift)));
+    for (int shift = 24; shift >= 0; shift -= 8)
+        bytes.push_back(static_cast<char>(value >> static_cast<unsigned>(shift)));
 }
 
 }  // namespace

@@ -19,11 +19,16 @@ enum class Format { Exr, Png, Tiff, Jpeg, Hdr };
 
 const char* pluginName(Format format) {
     switch (format) {
-        case Format::Exr: return "openexr";
-        case Format::Png: return "png";
-        case Format::Tiff: return "tiff";
-        case Format::Jpeg: return "jpeg";
-        case Format::Hdr: return "hdr";
+        case Format::Exr:
+            return "openexr";
+        case Format::Png:
+            return "png";
+        case Format::Tiff:
+            return "tiff";
+        case Format::Jpeg:
+            return "jpeg";
+        case Format::Hdr:
+            return "hdr";
     }
     return "";
 }
@@ -102,8 +107,7 @@ void writeLinear(const ImageRgb& image, const std::string& path, Format format) 
 void writeIntegers(const std::vector<std::uint16_t>& samples, int width, int height, int channels,
                    const std::string& path, Format format, const char* colorSpace) {
     const bool byte = format == Format::Jpeg;
-    OIIO::ImageSpec spec =
-        makeSpec(width, height, channels, byte ? OIIO::TypeUInt8 : OIIO::TypeUInt16, format);
+    OIIO::ImageSpec spec = makeSpec(width, height, channels, byte ? OIIO::TypeUInt8 : OIIO::TypeUInt16, format);
     spec["oiio:ColorSpace"] = colorSpace;
     write(path, format, spec, OIIO::TypeUInt16, samples.data());
 }
@@ -116,9 +120,8 @@ void saveColor(const ImageRgb& image, const std::string& path) {
     const Format format = formatOf(path);
     if (format == Format::Exr || format == Format::Hdr) return writeLinear(image, path, format);
     std::vector<float> encoded(image.size() * 3);
-    std::ranges::transform(components(image), encoded.begin(), [](float v) {
-        return std::isfinite(v) ? srgbEncode(std::clamp(v, 0.0f, 1.0f)) : 0.0f;
-    });
+    std::ranges::transform(components(image), encoded.begin(),
+                           [](float v) { return std::isfinite(v) ? srgbEncode(std::clamp(v, 0.0f, 1.0f)) : 0.0f; });
     writeIntegers(quantize(encoded, 65535.0f, 0.0f), image.width(), image.height(), 3, path, format, "sRGB");
 }
 
@@ -126,7 +129,8 @@ void saveScalar(const ImageF& image, const std::string& path, const std::string&
     const Format format = formatOf(path);
     if (format == Format::Jpeg) refuse(path, "measurements", ".exr, .tif, .hdr or .png");
     if (format == Format::Png) {
-        writeIntegers(quantize(image.pixels(), pngScale, 0.0f), image.width(), image.height(), 1, path, format, "Linear");
+        writeIntegers(quantize(image.pixels(), pngScale, 0.0f), image.width(), image.height(), 1, path, format,
+                      "Linear");
         return;
     }
     if (format == Format::Hdr) {

@@ -180,7 +180,8 @@ json parseJson(std::string_view text, ErrorKind kind) {
     } catch (const json::exception& error) {
         std::string reason = error.what();
         if (const std::size_t at = reason.find("] "); at != std::string::npos) reason = reason.substr(at + 2);
-        std::replace_if(reason.begin(), reason.end(), [](unsigned char c) { return c < 32; }, ' ');
+        std::replace_if(
+            reason.begin(), reason.end(), [](unsigned char c) { return c < 32; }, ' ');
         throw Error(kind, "The JSON text is damaged: " + reason + ".");
     }
 }

@@ -13,13 +13,13 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr float kMaxSpecular = 100;       // an estimated ρ may exceed 1
-constexpr float kMaxIndex = 20;           // metals at long wavelengths reach 10
-constexpr float kMinIndex = 0.01f;        // silver reaches 0.05
+constexpr float kMaxSpecular = 100;  // an estimated ρ may exceed 1
+constexpr float kMaxIndex = 20;      // metals at long wavelengths reach 10
+constexpr float kMinIndex = 0.01f;   // silver reaches 0.05
 constexpr float kMaxWeight = 100;
-constexpr float kMaxCoefficient = 1e5f;   // [1/mm]
-constexpr float kMaxFreePath = 1e5f;      // [mm]
-constexpr float kMinFreePath = 1e-4f;     // [mm]
+constexpr float kMaxCoefficient = 1e5f;  // [1/mm]
+constexpr float kMaxFreePath = 1e5f;     // [mm]
+constexpr float kMinFreePath = 1e-4f;    // [mm]
 
 std::vector<std::string> brdfKeys() {
     std::vector<std::string> keys;

@@ -53,10 +53,11 @@ Image<T> matchOrientation(Image<T> map, const std::string& path, const char* wha
     if (fits(map.width(), map.height(), camera)) return map;
     if (mapOrientation == 1 && colorOrientation >= 5 && fits(map.height(), map.width(), camera))
         return applyOrientation(std::move(map), colorOrientation);
-    throw Error(ErrorKind::Input, std::string(what) + " size (" + sizeText(map.width(), map.height()) +
-                                      ") differs from colour image size (" + sizeText(camera.width, camera.height) +
-                                      "); expected the same size or a smaller image of the same shape. While loading \"" +
-                                      path + "\" for \"" + colorPath + "\".");
+    throw Error(ErrorKind::Input,
+                std::string(what) + " size (" + sizeText(map.width(), map.height()) +
+                    ") differs from colour image size (" + sizeText(camera.width, camera.height) +
+                    "); expected the same size or a smaller image of the same shape. While loading \"" + path +
+                    "\" for \"" + colorPath + "\".");
 }
 
 Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, std::vector<std::string>* notes) {
@@ -76,8 +77,8 @@ Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, std::vec
         if (!focal(camera.fx, w) || !focal(camera.fy, h) || !sane(camera.cx, w) || !sane(camera.cy, h)) {
             std::ostringstream text;
             text << "The intrinsics fx=" << camera.fx << ", fy=" << camera.fy << ", cx=" << camera.cx
-                 << ", cy=" << camera.cy << " do not fit the colour image \"" << path << "\" of "
-                 << sizeText(w, h) << " pixels: expected focal lengths of 0.01 to 1000 image sides and a principal point "
+                 << ", cy=" << camera.cy << " do not fit the colour image \"" << path << "\" of " << sizeText(w, h)
+                 << " pixels: expected focal lengths of 0.01 to 1000 image sides and a principal point "
                  << "within 10 image sides.";
             throw Error(ErrorKind::Usage, text.str());
         }
@@ -121,14 +122,14 @@ double chooseUnit(const PhotoRequest& request, const std::string& depthPath, con
 ImageF loadDepth(const std::string& path, DepthKind kind, double unit, const Camera& camera, int colorOrientation,
                  const std::string& colorPath, const char* what, std::vector<std::string>* notes) {
     const ImageInfo info = readImageInfo(path);
-    const ImageF stored = matchOrientation(loadScalar(path), path, what, camera, info.orientation, colorOrientation,
-                                           colorPath);
+    const ImageF stored =
+        matchOrientation(loadScalar(path), path, what, camera, info.orientation, colorOrientation, colorPath);
     const float sx = static_cast<float>(stored.width()) / static_cast<float>(camera.width);
     const float sy = static_cast<float>(stored.height()) / static_cast<float>(camera.height);
     const Camera own{stored.width(), stored.height(), camera.fx * sx, camera.fy * sy, camera.cx * sx, camera.cy * sy};
     if (stored.width() != camera.width)
-        note(notes, "\"" + path + "\" (" + sizeText(stored.width(), stored.height()) + ") is enlarged to the colour image (" +
-                        sizeText(camera.width, camera.height) + ").");
+        note(notes, "\"" + path + "\" (" + sizeText(stored.width(), stored.height()) +
+                        ") is enlarged to the colour image (" + sizeText(camera.width, camera.height) + ").");
     return enlarge(planarDepth(stored, kind, unit, own), camera);
 }
 
@@ -171,8 +172,8 @@ std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, std::vector<
     PhotoSource& source = photo->source;
     const ImageInfo info = readImageInfo(source.color);
     if (source.depth.empty() && !info.hasDepthChannel)
-        throw Error(ErrorKind::Input, "\"" + source.color +
-                                          "\" contains no depth map (an EXR channel Z), and no depth image is given.");
+        throw Error(ErrorKind::Input,
+                    "\"" + source.color + "\" contains no depth map (an EXR channel Z), and no depth image is given.");
     const std::string& depthPath = source.depth.empty() ? source.color : source.depth;
     const StoredFormat depthFormat = source.depth.empty() ? info.format : storedFormat(depthPath);
     source.depthUnit = chooseUnit(request, depthPath, depthFormat);

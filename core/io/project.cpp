@@ -100,7 +100,8 @@ Segment readSegment(const json& value, const std::string& place) {
         reader.read("reflectance", rho, 1e-4f, 100.0f);
         segment.reflectance = rho;
     }
-    if (const json* edit = reader.find("edit")) segment.edit = readMaterial(*edit, reader.place("edit"), ErrorKind::Input);
+    if (const json* edit = reader.find("edit"))
+        segment.edit = readMaterial(*edit, reader.place("edit"), ErrorKind::Input);
     reader.finish();
     return segment;
 }
@@ -271,8 +272,8 @@ Scene createScene(const CreateOptions& options, std::vector<std::string>* notes)
         Segment* segment = scene.findSegment(name);
         if (segment == nullptr)
             throw Error(ErrorKind::Usage, "There is no segment \"" + name + "\" in \"" +
-                                              (options.segments.empty() ? options.color : options.segments) + "\": " +
-                                              knownLabels(scene) + ".");
+                                              (options.segments.empty() ? options.color : options.segments) +
+                                              "\": " + knownLabels(scene) + ".");
         segment->glossy = true;
     }
     return scene;

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/session.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <mutex>
+
+#include "core/io/project.h"
+
+namespace cli {
+
+namespace {
+
+std::atomic<bool> interrupted{false};
+
+extern "C" void onInterrupt(int) { interrupted.store(true); }
+
+/// Progress of the running step on stderr.
+class ProgressPrinter {
+  public:
+    void report(std::string_view step, float fraction) {
+        const std::lock_guard lock(mutex_);
+        const int percent = static_cast<int>(std::lround(100 * std::clamp(fraction, 0.0f, 1.0f)));
+        const bool newStep = step != step_;
+        if (!newStep && percent / (terminal_ ? 1 : 10) == shown_) return;
+        if (newStep) step_ = step;
+        shown_ = percent / (terminal_ ? 1 : 10);
+        if (terminal_) {
+            std::fprintf(stderr, "\r\033[K%s %d %%", step_.c_str(), percent);
+            open_ = true;
+        } else {
+            std::fprintf(stderr, "%s %d %%\n", step_.c_str(), shown_ * 10);
+        }
+        std::fflush(stderr);
+    }
+    void finish() {
+        const std::lock_guard lock(mutex_);
+        if (open_) std::fputs("\r\033[K", stderr);
+        open_ = false;
+        step_.clear();
+        shown_ = -1;
+    }
+
+  private:
+    std::mutex mutex_;
+    const bool terminal_ = ::isatty(STDERR_FILENO) == 1;
+    std::string step_;
+    int shown_ = -1;
+    bool open_ = false;
+};
+
+ProgressPrinter& progressPrinter() {
+    static ProgressPrinter printer;
+    return printer;
+}
+
+}  // namespace
+
+core::StepContext makeStepContext() {
+    return core::StepContext([](std::string_view step, float fraction) { progressPrinter().report(step, fraction); },
+                             &interrupted);
+}
+
+void finishProgress() { progressPrinter().finish(); }
+
+void catchInterrupts() {
+    struct sigaction action {};
+    action.sa_handler = onInterrupt;
+    action.sa_flags = SA_RESETHAND | SA_RESTART;
+    sigaction(SIGINT, &action, nullptr);
+}
+
+void printNotes(const std::vector<std::string>& notes) {
+    for (const std::string& sentence : notes) std::fprintf(stderr, "patina-cli: %s\n", sentence.c_str());
+}
+
+core::Scene loadScene(const std::string& project) {
+    std::vector<std::string> notes;
+    core::Scene scene = core::loadProject(project, &notes);
+    printNotes(notes);
+    return scene;
+}
+
+std::vector<float> parseNumbers(const std::string& option, const std::string& text, std::size_t count) {
+    std::vector<float> numbers;
+    const char* at = text.c_str();
+    while (true) {
+        char* end = nullptr;
+        const float value = std::strtof(at, &end);
+        if (end == at || !std::isfinite(value)) break;
+        numbers.push_back(value);
+        at = end;
+        if (*at != ',') break;
+        ++at;
+    }
+    if (*at != '\0' || numbers.size() != count)
+        throw core::Error(core::ErrorKind::Usage, option + " is \"" + text + "\", expected " + std::to_string(count) +
+                                                      " numbers separated by commas.");
+    return numbers;
+}
+
+std::pair<std::string, std::string> parseAssignment(const std::string& option, const std::string& text) {
+    const std::size_t at = text.find('=');
+    if (at == std::string::npos || at == 0)
+        throw core::Error(core::ErrorKind::Usage, option + " is \"" + text + "\", expected LABEL=VALUE.");
+    return {text.substr(0, at), text.substr(at + 1)};
+}
+
+core::Segment& requireSegment(core::Scene& scene, const std::string& labelOrName) {
+    if (core::Segment* segment = scene.findSegment(labelOrName)) return *segment;
+    std::string known;
+    for (const core::Segment& segment : scene.segments)
+        known += (known.empty() ? "" : ", ") + std::to_string(segment.label) + " \"" + segment.name + "\"";
+    throw core::Error(core::ErrorKind::Usage, "There is no segment \"" + labelOrName + "\"; the project has " +
+                                                  (known.empty() ? "none" : known) + ".");
+}
+
+void refuseOverwritingInput(const core::Scene& scene, const std::string& project, const std::string& output) {
+    const core::PhotoSource& source = scene.photo->source;
+    for (const std::string& input :
+         {project, source.color, source.depth, source.segments, scene.environment.path, scene.backDepthPath}) {
+        std::error_code code;
+        if (input.empty() || !std::filesystem::equivalent(input, output, code) || code) continue;
+        throw core::Error(core::ErrorKind::Usage,
+                          "The output \"" + output + "\" is an input of this project; choose another file.");
+    }
+}
+
+}  // namespace cli

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene.h"
+#include "core/step_context.h"
+
+namespace cli {
+
+/// Exit codes, part of the contract with scripts (docs/command-line.md).
+enum ExitCode : int {
+    kDone = 0,
+    kWrongUsage = 2,
+    kUnusableInput = 3,
+    kNoDevice = 4,
+    kNotWritten = 5,
+    kInterrupted = 130,  ///< SIGINT, as shells report it
+};
+
+/// What the options before and after a command decide for all commands, and the command that was chosen.
+struct Session {
+    std::string device;         ///< part of a device's name or its index; "" = no wish
+    std::function<void()> run;  ///< set by the chosen command
+};
+
+// One function per command: declares its options and help, and sets `session.run` when it is chosen.
+void addCreate(CLI::App& app, Session& session);
+void addInfo(CLI::App& app, Session& session);
+
+/// Reports progress to stderr (one rewritten line on a terminal, else a line per step and tenth) and stops the work on
+/// SIGINT.
+[[nodiscard]] core::StepContext makeStepContext();
+/// Ends the rewritten line, so that the next message starts on its own.
+void finishProgress();
+/// From now on SIGINT asks the running step to stop; a second one kills the program.
+void catchInterrupts();
+
+/// One sentence per line on stderr.
+void printNotes(const std::vector<std::string>& notes);
+/// Loads a project and prints what had to be assumed.
+[[nodiscard]] core::Scene loadScene(const std::string& project);
+
+/// `text` as `count` numbers separated by commas; throws Error(Usage) naming the option.
+[[nodiscard]] std::vector<float> parseNumbers(const std::string& option, const std::string& text, std::size_t count);
+/// Splits "LABEL=VALUE" at the first "="; throws Error(Usage) naming the option.
+[[nodiscard]] std::pair<std::string, std::string> parseAssignment(const std::string& option, const std::string& text);
+/// The segment called `labelOrName`; throws Error(Usage) listing what there is.
+[[nodiscard]] core::Segment& requireSegment(core::Scene& scene, const std::string& labelOrName);
+/// Throws Error(Usage) when writing `output` would replace a file the project was made of, or the project itself.
+void refuseOverwritingInput(const core::Scene& scene, const std::string& project, const std::string& output);
+
+}  // namespace cli
