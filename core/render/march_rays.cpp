@@ -14,8 +14,8 @@ namespace render {
 RayMarcher::RayMarcher(const gpu::Device& device, SceneGeometry& geometry) : device_(device), geometry_(geometry) {
     using enum gpu::BindingType;
     layout_ = makeLayout(device, "march_rays", {{MARCH_RAYS, ReadOnlyStorageBuffer}, {MARCH_HITS, StorageBuffer}});
-    pipeline_ = makePipeline(device, "march_rays", march_rays_spv, {geometry.layout(), layout_},
-                             sizeof(kernel::MarchBlock));
+    pipeline_ =
+        makePipeline(device, "march_rays", march_rays_spv, {geometry.layout(), layout_}, sizeof(kernel::MarchBlock));
 }
 
 std::vector<RayHit> RayMarcher::march(const std::vector<Ray>& rays, MarchMethod method,
@@ -32,14 +32,15 @@ std::vector<RayHit> RayMarcher::march(const std::vector<Ray>& rays, MarchMethod 
         device_.createBuffer({.label = "hits",
                               .size = rays.size() * sizeof(kernel::vec4),
                               .usage = gpu::BufferUsage::Storage | gpu::BufferUsage::CopySrc});
-    const gpu::BindGroup group = device_.createBindGroup({.label = "march_rays",
-                                                          .layout = layout_,
-                                                          .entries = {{.binding = MARCH_RAYS, .buffer = rayBuffer},
-                                                                      {.binding = MARCH_HITS, .buffer = hitBuffer}}});
-    const kernel::MarchBlock block{.rayCount = static_cast<kernel::uint>(rays.size()),
-                                   .method = method == MarchMethod::Pyramid ? kernel::uint{MARCH_PYRAMID} : kernel::uint{MARCH_CONSTANT},
-                                   .stepSize = steps.stepSize,
-                                   .maxDistance = steps.maxDistance};
+    const gpu::BindGroup group = device_.createBindGroup(
+        {.label = "march_rays",
+         .layout = layout_,
+         .entries = {{.binding = MARCH_RAYS, .buffer = rayBuffer}, {.binding = MARCH_HITS, .buffer = hitBuffer}}});
+    const kernel::MarchBlock block{
+        .rayCount = static_cast<kernel::uint>(rays.size()),
+        .method = method == MarchMethod::Pyramid ? kernel::uint{MARCH_PYRAMID} : kernel::uint{MARCH_CONSTANT},
+        .stepSize = steps.stepSize,
+        .maxDistance = steps.maxDistance};
 
     gpu::PassTimer timer(device_);
     const gpu::CommandEncoder encoder = device_.createCommandEncoder({.label = "march_rays"});

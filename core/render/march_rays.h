@@ -16,9 +16,9 @@ struct Ray {
 
 struct RayHit {
     bool found = false;
-    bool back = false;  ///< entered through the back layer
-    int x = 0, y = 0;   ///< pixel
-    float distance = 0; ///< along the ray [m]
+    bool back = false;   ///< entered through the back layer
+    int x = 0, y = 0;    ///< pixel
+    float distance = 0;  ///< along the ray [m]
 };
 
 enum class MarchMethod { Pyramid, ConstantSteps };

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "core/analysis.h"
 #include "core/scene.h"
@@ -26,23 +27,34 @@ class Renderer {
     Renderer& operator=(const Renderer&) = delete;
 
     /// What to render from now on. Compares with what it has: a new analysis uploads geometry, a changed edit restarts
-    /// that segment's accumulation, changed blend weights restart nothing. Uploads happen in the next `record`.
+    /// that segment's accumulation, changed blend weights restart nothing. With more than one bounce, paths that start
+    /// on one segment may meet the others (and itself) and see their materials and weights, so then any change of a
+    /// material restarts all. Uploads happen in the next `record`. Throws core::Error(Usage) for an unknown BRDF and
+    /// gpu::Error(OutOfMemory) for a picture the device has no room for; the renderer then keeps what it had.
     void setScene(const core::Scene& scene, std::shared_ptr<const core::Analysis> analysis);
 
     /// Writes the next slice of work, sized for `budgetSeconds` of device time by what earlier slices took, and the
     /// composite of all that is accumulated so far. Returns false when there was nothing left to do.
     bool record(gpu::CommandEncoder& encoder, double budgetSeconds);
 
+    struct SegmentProgress {
+        std::uint16_t label = 0;
+        int samples = 0;            ///< completed samples per pixel
+        int irradianceSamples = 0;  ///< surface samples lit; 0 without translucency
+        int gatheredSamples = 0;    ///< surface samples gathered on every pixel
+    };
     struct Progress {
         int samples = 0;  ///< completed samples per pixel, the least over all edited segments
         int target = 0;
         bool finished = false;
         float fraction = 0;                ///< of all work, [0, 1]
-        std::uint64_t droppedSamples = 0;  ///< NaN or Inf paths left out; must be 0
+        std::uint64_t droppedSamples = 0;  ///< NaN or Inf paths left out, as far as the device has reported; must be 0
+        std::vector<SegmentProgress> segments;  ///< the edited segments, by label
     };
     [[nodiscard]] Progress progress() const;
 
-    /// The edited photograph so far: rgba32float, scene-linear, the photo's size; valid after the first `record`.
+    /// The edited photograph so far: rgba32float, scene-linear, the photo's size, usages TextureBinding and CopySrc.
+    /// Valid after the first `record`; another texture when the photo's size changes.
     [[nodiscard]] gpu::Texture result() const;
 
   private:

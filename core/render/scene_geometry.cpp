@@ -51,9 +51,9 @@ void SceneGeometry::requireFits(std::uint32_t width, std::uint32_t height) const
     const gpu::Limits& limits = device_.limits();
     const std::uint64_t bytes = std::uint64_t{width} * height * kTexelBytes;
     const auto fail = [&](const std::string& limit) {
-        throw gpu::Error(gpu::ErrorKind::OutOfMemory,
-                         "The picture (" + std::to_string(width) + "x" + std::to_string(height) +
-                             ") is too large for the device \"" + device_.adapterInfo().name + "\": " + limit + ".");
+        throw gpu::Error(gpu::ErrorKind::OutOfMemory, "The picture (" + std::to_string(width) + "x" +
+                                                          std::to_string(height) + ") is too large for the device \"" +
+                                                          device_.adapterInfo().name + "\": " + limit + ".");
     };
     if (std::max(width, height) > limits.maxTextureDimension2D)
         fail("its textures have at most " + std::to_string(limits.maxTextureDimension2D) + " texels on a side");
@@ -187,6 +187,20 @@ void SceneGeometry::recordPyramid(const gpu::CommandEncoder& encoder) {
         pass.dispatchWorkgroups((level.width + kTileSize - 1) / kTileSize, (level.height + kTileSize - 1) / kTileSize);
         source = level;
     }
+    pass.end();
+}
+
+void recordList(const gpu::CommandEncoder& encoder, const char* label, const gpu::ComputePipeline& pipeline,
+                SceneGeometry& geometry, const gpu::BindGroup& group, const void* block, std::size_t blockSize,
+                std::uint32_t count) {
+    if (count == 0) return;
+    const gpu::ComputePassEncoder pass = encoder.beginComputePass({.label = label});
+    pass.setPipeline(pipeline);
+    pass.setBindGroup(0, geometry.bindGroup());
+    pass.setBindGroup(1, group);
+    pass.setPushConstants(block, blockSize);
+    const ListGroups groups = listGroups(count, encoder.device().limits());
+    pass.dispatchWorkgroups(groups.x, groups.y);
     pass.end();
 }
 

@@ -30,8 +30,9 @@ class SceneGeometry {
   public:
     explicit SceneGeometry(const gpu::Device& device);
 
+    /// Throws gpu::Error(OutOfMemory) when a picture of this size is larger than the device allows.
+    void requireFits(std::uint32_t width, std::uint32_t height) const;
     /// Uploads a new picture. `markOf` says what the kernels see as a label (an index into their material table).
-    /// Throws gpu::Error(OutOfMemory) when the picture is larger than the device allows.
     void setLayers(const core::DepthLayers& layers, const core::ImageRgb& photo, const core::Surface& front,
                    const core::Surface& back, const std::function<float(std::uint16_t)>& markOf);
     /// Uploads the light; an empty map is black.
@@ -53,8 +54,6 @@ class SceneGeometry {
   private:
     [[nodiscard]] gpu::Texture upload(const char* label, std::uint32_t width, std::uint32_t height,
                                       const std::vector<float>& texels) const;
-    void requireFits(std::uint32_t width, std::uint32_t height) const;
-
     gpu::Device device_;
     gpu::BindGroupLayout layout_;
     gpu::ComputePipeline buildPyramid_;
@@ -68,5 +67,16 @@ class SceneGeometry {
     gpu::BindGroup group_;
     bool pyramidStale_ = false;
 };
+
+/// Records one dispatch over a list of `count` items with the geometry in group 0, `group` in group 1 and `block` as
+/// push constants. Nothing for an empty list.
+void recordList(const gpu::CommandEncoder& encoder, const char* label, const gpu::ComputePipeline& pipeline,
+                SceneGeometry& geometry, const gpu::BindGroup& group, const void* block, std::size_t blockSize,
+                std::uint32_t count);
+template <class Block>
+void recordList(const gpu::CommandEncoder& encoder, const char* label, const gpu::ComputePipeline& pipeline,
+                SceneGeometry& geometry, const gpu::BindGroup& group, const Block& block, std::uint32_t count) {
+    recordList(encoder, label, pipeline, geometry, group, &block, sizeof(block), count);
+}
 
 }  // namespace render

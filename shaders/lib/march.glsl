@@ -22,16 +22,18 @@ const float kFar = 1.0e30;
 struct ImageRay {
     vec3 start;   // (u [px], v [px], w [1/m])
     vec3 step;    // per unit of s
-    float end;    // s where it leaves the image, the depths that occur, or space; < 0: meets nothing
+    float begin;  // s where the ray enters the image; 0 when it starts over it
+    float end;    // s where it leaves the image, the depths that occur, or space
 };
 
-// The part of the ray that can meet anything. A ray that starts outside the image meets nothing.
+// The part of the ray that can meet anything; empty (end < begin, or NaN) when there is none.
 ImageRay imageRay(vec3 p, vec3 d) {
     ImageRay ray;
     float w = 1.0 / p.z;
     vec2 focal = geometry.camera.xy;
     ray.start = vec3(focal * p.xy * w + geometry.camera.zw, w);
     ray.step = vec3(focal * (d.xy - d.z * p.xy * w), -d.z * w);
+    ray.begin = 0.0;
     ray.end = d.z > 0.0 ? 1.0 / d.z : kFar;
 
     uint rootIndex = 0u;
@@ -43,7 +45,16 @@ ImageRay imageRay(vec3 p, vec3 d) {
     if (ray.step.z == 0.0 && (w > root.y || w < root.x)) ray.end = -1.0;
 
     vec2 size = vec2(geometry.width, geometry.height);
-    if (!(all(greaterThanEqual(ray.start.xy, vec2(0.0))) && all(lessThan(ray.start.xy, size)))) ray.end = -1.0;
+    for (int axis = 0; axis < 2; ++axis) {
+        if (ray.step[axis] == 0.0) {
+            if (!(ray.start[axis] >= 0.0 && ray.start[axis] < size[axis])) ray.end = -1.0;
+        } else {
+            float a = -ray.start[axis] / ray.step[axis];
+            float b = (size[axis] - ray.start[axis]) / ray.step[axis];
+            ray.begin = max(ray.begin, min(a, b));
+            ray.end = min(ray.end, max(a, b));
+        }
+    }
     return ray;
 }
 
@@ -94,16 +105,16 @@ MarchHit march(vec3 p, vec3 d) {
     MarchHit hit = MarchHit(false, false, ivec2(0), 0.0);
     if (!(p.z > 0.0)) return hit;
     ImageRay ray = imageRay(p, d);
-    if (!(ray.end >= 0.0)) return hit;
+    if (!(ray.begin <= ray.end)) return hit;
 
     uvec2 size = uvec2(geometry.width, geometry.height);
     int level = 0;
     uint offset = 0u;  // of the level in the pyramid, for level > 0
-    ivec2 cell = ivec2(ray.start.xy);
+    ivec2 cell = clamp(ivec2(floor(ray.start.xy + ray.step.xy * ray.begin)), ivec2(0), ivec2(size) - 1);
     ivec2 direction = ivec2(ray.step.x > 0.0 ? 1 : -1, ray.step.y > 0.0 ? 1 : -1);
     vec2 inverse = vec2(ray.step.x != 0.0 ? 1.0 / ray.step.x : 0.0, ray.step.y != 0.0 ? 1.0 / ray.step.y : 0.0);
-    float s = 0.0;
-    bool inside = true;  // escaping from the solid of the origin; the first pixel decides whether there is one
+    float s = ray.begin;
+    bool inside = ray.begin <= 0.0;  // escaping from the solid of the origin; the first pixel decides whether there is one
 
     int budget = 8 * int(size.x + size.y) + 64;  // no ray needs more; one with broken numbers stops here
     for (int i = 0; i < budget; ++i) {

@@ -5,15 +5,15 @@
 
 #include "shaders/shared/interop.h"
 
-#define GEOMETRY_BLOCK 0          // GeometryBlock
-#define GEOMETRY_PYRAMID 1        // vec2 (least w, greatest w) per cell, levels 1, 2, ... one after the other
-#define GEOMETRY_FRONT_PATCH 2    // w [1/m], dw/du, dw/dv [1/(m px)], label
-#define GEOMETRY_BACK_PATCH 3     // w, dw/du, dw/dv, unused
-#define GEOMETRY_FRONT_COLOR 4    // radiance
-#define GEOMETRY_BACK_COLOR 5     // radiance
-#define GEOMETRY_FRONT_NORMAL 6   // unit, outward
-#define GEOMETRY_BACK_NORMAL 7    // unit, outward
-#define GEOMETRY_ENVIRONMENT 8    // radiance, latitude-longitude (core/directional_map.h)
+#define GEOMETRY_BLOCK 0         // GeometryBlock
+#define GEOMETRY_PYRAMID 1       // vec2 (least w, greatest w) per cell, levels 1, 2, ... one after the other
+#define GEOMETRY_FRONT_PATCH 2   // w [1/m], dw/du, dw/dv [1/(m px)], label
+#define GEOMETRY_BACK_PATCH 3    // w, dw/du, dw/dv, unused
+#define GEOMETRY_FRONT_COLOR 4   // radiance
+#define GEOMETRY_BACK_COLOR 5    // radiance
+#define GEOMETRY_FRONT_NORMAL 6  // unit, outward
+#define GEOMETRY_BACK_NORMAL 7   // unit, outward
+#define GEOMETRY_ENVIRONMENT 8   // radiance, latitude-longitude (core/directional_map.h)
 
 KERNEL_BEGIN
 

@@ -17,8 +17,7 @@ using testing_support::AnalyticScene;
 kernel::vec4 texel(const core::DepthLayers::Patch& patch) { return {patch.w, patch.gu, patch.gv, 0}; }
 
 struct Scene {
-    explicit Scene(const AnalyticScene& source)
-        : layers(source.layers()), geometry(testing_support::device()) {
+    explicit Scene(const AnalyticScene& source) : layers(source.layers()), geometry(testing_support::device()) {
         geometry.setLayers(layers, source.photo->color, *source.front, *source.back,
                            [](std::uint16_t label) { return static_cast<float>(label); });
         geometry.setEnvironment(*source.environment);
@@ -126,8 +125,8 @@ TEST(March, AgreesWithTheOracleOnRandomScenes) {
 TEST(March, HitsASphereWhereTheMathsSays) {
     const Vector3f center(0, 0, 1);
     const float radius = 0.2f;
-    const AnalyticScene source = testing_support::makeAnalyticScene(
-        400, 300, {{center, radius, 2}}, 0, [](const Vector3f&) { return Vector3f(1, 1, 1); });
+    const AnalyticScene source = testing_support::makeAnalyticScene(400, 300, {{center, radius, 2}}, 0,
+                                                                    [](const Vector3f&) { return Vector3f(1, 1, 1); });
     Scene scene(source);
     std::mt19937 random(5);
     std::vector<render::Ray> rays;
@@ -149,8 +148,10 @@ TEST(March, HitsASphereWhereTheMathsSays) {
     const auto hits = scene.march(rays);
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (hits[i].found != (expected[i] > 0)) ++wrong;
-        else if (hits[i].found && std::abs(double{hits[i].distance} - expected[i]) > 0.01) ++wrong;
+        if (hits[i].found != (expected[i] > 0))
+            ++wrong;
+        else if (hits[i].found && std::abs(double{hits[i].distance} - expected[i]) > 0.01)
+            ++wrong;
     }
     // The silhouette seen from the camera is a band of pixels where the two halves meet in a step.
     EXPECT_LE(wrong, rays.size() / 100);
@@ -162,14 +163,14 @@ TEST(March, SurvivesDegenerateRays) {
     const core::Camera& camera = source.photo->camera;
     const float nan = std::nanf("");
     std::vector<render::Ray> rays = {
-        {{0, 0, 0.5f}, {0, 0, 1}},          // along the view direction, away from the camera
-        {{0, 0, 3.0f}, {0, 0, -1}},         // towards the camera: w grows without end
-        {camera.ray(64, 48), {1, 0, 0}},    // axis-parallel on a cell border
-        {camera.ray(64, 48), {0, -1, 0}},   // the other axis
+        {{0, 0, 0.5f}, {0, 0, 1}},         // along the view direction, away from the camera
+        {{0, 0, 3.0f}, {0, 0, -1}},        // towards the camera: w grows without end
+        {camera.ray(64, 48), {1, 0, 0}},   // axis-parallel on a cell border
+        {camera.ray(64, 48), {0, -1, 0}},  // the other axis
         {camera.ray(32, 32) * 2, {0, 0, 1}},
         {camera.ray(0, 0), Vector3f(1, 1, 0).normalized()},  // from the corner along the diagonal
-        {camera.ray(-5, 10), {1, 0, 0}},    // starts outside the image
-        {{0, 0, -1}, {0, 0, 1}},            // behind the camera
+        {camera.ray(-5, 10), {1, 0, 0}},                     // starts outside the image
+        {{0, 0, -1}, {0, 0, 1}},                             // behind the camera
         {{0, 0, 1}, {nan, 0, 1}},
         {{nan, 0, 1}, {0, 0, 1}},
         {{0, 0, 1}, {0, 0, 0}},
@@ -189,8 +190,8 @@ TEST(March, SurvivesDegenerateRays) {
 }
 
 TEST(March, ConstantStepsAgreeOnThickSolids) {
-    const AnalyticScene source = testing_support::makeAnalyticScene(
-        200, 150, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0, [](const Vector3f&) { return Vector3f(1, 1, 1); });
+    const AnalyticScene source = testing_support::makeAnalyticScene(200, 150, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0,
+                                                                    [](const Vector3f&) { return Vector3f(1, 1, 1); });
     Scene scene(source);
     const auto rays = randomRays(source, 4000, 7);
     render::RayMarcher marcher(testing_support::device(), scene.geometry);

@@ -155,9 +155,10 @@ inline AnalyticScene makeRandomScene(int width, int height, unsigned seed) {
     std::uniform_real_distribution<float> uniform(0, 1);
     std::vector<Sphere> spheres;
     for (int i = 0; i < 12; ++i)
-        spheres.push_back({Vector3f(uniform(random) - 0.5f, 0.6f * uniform(random) - 0.4f, 0.8f + 0.8f * uniform(random)),
-                           0.01f + 0.1f * uniform(random), static_cast<std::uint16_t>(2 + i),
-                           Vector3f(uniform(random), uniform(random), uniform(random))});
+        spheres.push_back(
+            {Vector3f(uniform(random) - 0.5f, 0.6f * uniform(random) - 0.4f, 0.8f + 0.8f * uniform(random)),
+             0.01f + 0.1f * uniform(random), static_cast<std::uint16_t>(2 + i),
+             Vector3f(uniform(random), uniform(random), uniform(random))});
     return makeAnalyticScene(width, height, spheres, 2.0f,
                              [](const Vector3f& d) { return Vector3f(1.0f, 0.8f, 0.6f) * (1.2f - d.y()); });
 }

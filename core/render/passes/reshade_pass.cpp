@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/passes/reshade_pass.h"
+
+#include "core/render/kernels.h"
+#include "kernels/reshade.h"
+
+namespace render {
+
+ReshadePass::ReshadePass(const gpu::Device& device, const gpu::BindGroupLayout& geometryLayout) : device_(device) {
+    using enum gpu::BindingType;
+    layout_ = makeLayout(device, "reshade",
+                         {{RESHADE_SHADING, ReadOnlyStorageBuffer},
+                          {RESHADE_DROPPED, StorageBuffer},
+                          {RESHADE_PIXELS, ReadOnlyStorageBuffer},
+                          {RESHADE_ACCUMULATION, ReadWriteStorageTexture},
+                          {RESHADE_COUNT, ReadWriteStorageTexture}});
+    pipeline_ = makePipeline(device, "reshade", reshade_spv, {geometryLayout, layout_}, sizeof(kernel::ReshadeBlock));
+}
+
+gpu::BindGroup ReshadePass::bind(const PathInputs& inputs, const PixelList& pixels, const Targets& targets) const {
+    return device_.createBindGroup(
+        {.label = "reshade",
+         .layout = layout_,
+         .entries = {{.binding = RESHADE_SHADING, .buffer = inputs.shading},
+                     {.binding = RESHADE_DROPPED, .buffer = inputs.dropped},
+                     {.binding = RESHADE_PIXELS, .buffer = pixels.buffer},
+                     {.binding = RESHADE_ACCUMULATION, .textureView = targets.accumulation.createView()},
+                     {.binding = RESHADE_COUNT, .textureView = targets.count.createView()}}});
+}
+
+void ReshadePass::record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const gpu::BindGroup& group,
+                         const kernel::ReshadeBlock& block) const {
+    recordList(encoder, "reshade", pipeline_, geometry, group, block, block.pixelCount);
+}
+
+}  // namespace render

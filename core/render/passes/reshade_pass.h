@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/render/passes/segment_targets.h"
+#include "core/render/scene_geometry.h"
+#include "gpu/device.h"
+#include "shaders/shared/reshade_block.h"
+
+namespace render {
+
+/// Records slices of the Monte Carlo re-shading (shaders/reshade.comp).
+class ReshadePass {
+  public:
+    ReshadePass(const gpu::Device& device, const gpu::BindGroupLayout& geometryLayout);
+
+    [[nodiscard]] gpu::BindGroup bind(const PathInputs& inputs, const PixelList& pixels, const Targets& targets) const;
+    void record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const gpu::BindGroup& group,
+                const kernel::ReshadeBlock& block) const;
+
+  private:
+    gpu::Device device_;
+    gpu::BindGroupLayout layout_;
+    gpu::ComputePipeline pipeline_;
+};
+
+}  // namespace render

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "gpu/buffer.h"
+#include "gpu/texture.h"
+
+namespace render {
+
+/// Pictures the passes work on, of the photo's size; shared by all segments, which are disjoint.
+struct Targets {
+    gpu::Texture accumulation;  ///< rgba32float: sum of radiance, sum of squared luminance
+    gpu::Texture count;         ///< r32float: samples in the sum
+    gpu::Texture filtered;      ///< rgba32float: colour, variance; 1x1 until the filter is used
+    gpu::Texture filterPing;    ///< scratch of the filter
+    gpu::Texture filterPong;    ///< scratch of the filter
+    gpu::Texture diffusion;     ///< rgba32float: sum of E·R_d, samples in it; 1x1 until a segment is translucent
+    gpu::Texture result;        ///< rgba32float: the edited photograph
+};
+
+/// Pixels of one segment with a valid depth.
+struct PixelList {
+    gpu::Buffer buffer;  ///< x | y << 16, by rows
+    std::uint32_t count = 0;
+};
+
+/// What all paths need besides the geometry.
+struct PathInputs {
+    gpu::Buffer shading;  ///< kernel::SegmentShading per label
+    gpu::Buffer dropped;  ///< one uint
+};
+
+}  // namespace render

@@ -1,0 +1,624 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/reference_renderer.h"
+#include "core/render/kernels.h"
+#include "core/render/passes/composite_pass.h"
+#include "core/render/passes/reshade_pass.h"
+#include "core/render/scene_geometry.h"
+#include "core/render/segment_state.h"
+#include "core/render/slice_timer.h"
+#include "core/translucency.h"
+#include "shaders/shared/rng.h"
+
+namespace render {
+namespace {
+
+// What a unit of work costs before anything has been measured [s]: a slow processor's time, so that first slices are
+// short everywhere.
+constexpr double kPathGuess = 4e-6;       // one path
+constexpr double kPairGuess = 4e-8;       // one surface sample onto one pixel
+constexpr double kFilterGuess = 1e-5;     // one pixel in one step of the filter
+constexpr double kCompositeGuess = 5e-7;  // one pixel
+
+constexpr std::uint32_t kMaxPathsPerDispatch = 16;  // per pixel: bounds what one invocation may take
+constexpr std::uint32_t kChunk = 256;               // surface samples gathered at a time
+
+enum class Task { None, Reshade, Filter, Irradiance, Gather };
+
+gpu::Texture makeTarget(const gpu::Device& device, const char* label, std::uint32_t width, std::uint32_t height,
+                        gpu::TextureFormat format = gpu::TextureFormat::RGBA32Float) {
+    return device.createTexture({.label = label,
+                                 .size = {width, height},
+                                 .format = format,
+                                 .usage = gpu::TextureUsage::TextureBinding | gpu::TextureUsage::StorageBinding |
+                                          gpu::TextureUsage::CopySrc | gpu::TextureUsage::CopyDst});
+}
+
+std::uint32_t positive(int value) { return static_cast<std::uint32_t>(std::max(value, 1)); }
+
+}  // namespace
+
+struct Renderer::Impl {
+    explicit Impl(gpu::Device d)
+        : device(std::move(d)),
+          geometry(device),
+          reshade(device, geometry.layout()),
+          translucency(device, geometry.layout()),
+          filter(device, geometry.layout()),
+          composite(device, geometry.layout()),
+          timer(device) {
+        paths.dropped = makeBuffer(device, "dropped samples", gpu::BufferUsage::Storage, std::vector<kernel::uint>{0});
+        dropped->staging = device.createBuffer({.label = "dropped samples, read back",
+                                                .size = sizeof(kernel::uint),
+                                                .usage = gpu::BufferUsage::MapRead | gpu::BufferUsage::CopyDst});
+    }
+
+    /// Count of dropped samples on its way from the device; outlives the renderer while a read is pending.
+    struct DroppedReader {
+        gpu::Buffer staging;
+        bool pending = false;
+        bool dirty = false;
+        std::uint64_t value = 0;
+    };
+
+    gpu::Device device;
+    SceneGeometry geometry;
+    ReshadePass reshade;
+    TranslucencyPass translucency;
+    FilterPass filter;
+    CompositePass composite;
+    SliceTimer timer;
+    std::shared_ptr<DroppedReader> dropped = std::make_shared<DroppedReader>();
+
+    core::Scene scene;
+    std::shared_ptr<const core::Analysis> analysis;
+    std::vector<kernel::SegmentShading> shading;
+    bool layersStale = false;
+    bool environmentStale = false;
+    bool shadingStale = false;
+    bool resultStale = false;  ///< the photograph has to be copied in again
+    PathInputs paths;
+    Targets targets;
+    std::vector<SegmentState> segments;  ///< edited ones, by label
+
+    void setScene(const core::Scene& next, std::shared_ptr<const core::Analysis> nextAnalysis);
+    [[nodiscard]] std::vector<kernel::SegmentShading> shadingTable(const core::Scene& s, const core::Analysis& a) const;
+    void updateSegment(SegmentState& state, const core::Segment& segment);
+    void upload();
+    void prepareTargets();
+    void preparePixels(SegmentState& state);
+    void prepareTranslucency(SegmentState& state);
+
+    bool record(gpu::CommandEncoder& encoder, double budgetSeconds);
+    [[nodiscard]] std::pair<SegmentState*, Task> nextTask();
+    [[nodiscard]] bool wantsFilter(const SegmentState& state) const;
+    double recordReshade(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds);
+    double recordFilter(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds);
+    double recordIrradiance(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds);
+    double recordGather(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds);
+    void recordComposite(const gpu::CommandEncoder& encoder, SegmentState& state);
+    void recordDroppedReadback(const gpu::CommandEncoder& encoder);
+
+    [[nodiscard]] std::uint32_t targetSamples() const { return positive(scene.render.samples); }
+    [[nodiscard]] std::uint32_t rays() const { return positive(scene.render.irradianceSamples); }
+};
+
+// ---- what to render -------------------------------------------------------------------------------------------------
+
+std::vector<kernel::SegmentShading> Renderer::Impl::shadingTable(const core::Scene& s, const core::Analysis& a) const {
+    std::vector<kernel::SegmentShading> table = core::buildSegmentShading(s, a);
+    const auto labels = s.photo->labels.pixels();
+    const std::uint16_t highest = labels.empty() ? std::uint16_t{0} : *std::max_element(labels.begin(), labels.end());
+    for (kernel::SegmentShading& entry : table)
+        if (entry.blend.w == 0) entry.brdf = kernel::BrdfParams{};
+    kernel::SegmentShading untouched{};
+    untouched.blend = {1, 0, 0, 0};
+    if (table.size() <= highest) table.resize(std::size_t{highest} + 1, untouched);
+    return table;
+}
+
+void Renderer::Impl::setScene(const core::Scene& next, std::shared_ptr<const core::Analysis> nextAnalysis) {
+    CORE_ASSERT(next.photo && nextAnalysis && nextAnalysis->front && nextAnalysis->back, "a photo and its surfaces");
+    geometry.requireFits(static_cast<std::uint32_t>(next.photo->color.width()),
+                         static_cast<std::uint32_t>(next.photo->color.height()));
+    std::vector<kernel::SegmentShading> table = shadingTable(next, *nextAnalysis);
+
+    const bool newLayers = !analysis || next.photo != scene.photo || nextAnalysis->front != analysis->front ||
+                           nextAnalysis->back != analysis->back;
+    const bool newEnvironment = !analysis || nextAnalysis->environment != analysis->environment;
+    if (newLayers || newEnvironment) {
+        layersStale = layersStale || newLayers;
+        environmentStale = environmentStale || newEnvironment;
+        segments.clear();
+        resultStale = true;
+    }
+    if (next.render.filter != scene.render.filter)
+        for (SegmentState& state : segments) state.compositeStale = true;
+    scene = next;
+    analysis = std::move(nextAnalysis);
+    shading = std::move(table);
+    shadingStale = true;
+
+    std::vector<SegmentState> kept;
+    for (const core::Segment& segment : scene.segments) {
+        if (!segment.edit) continue;
+        const auto old = std::find_if(segments.begin(), segments.end(),
+                                      [&](const SegmentState& state) { return state.label == segment.label; });
+        SegmentState state;
+        if (old != segments.end())
+            state = std::move(*old);
+        else
+            state.label = segment.label;
+        updateSegment(state, segment);
+        kept.push_back(std::move(state));
+    }
+    if (kept.size() != segments.size()) resultStale = true;
+    for (std::size_t i = 0; !resultStale && i < kept.size(); ++i) resultStale = kept[i].label != segments[i].label;
+    segments = std::move(kept);
+}
+
+void Renderer::Impl::updateSegment(SegmentState& state, const core::Segment& segment) {
+    const core::Material& material = *segment.edit;
+    if (!(state.material == material)) state.compositeStale = true;
+    state.material = material;
+
+    SumKey key;
+    key.seed = scene.render.seed;
+    key.bounces = std::max(scene.render.bounces, 1);
+    SumKey lightKey = key;
+    if (key.bounces == 1) {
+        kernel::SegmentShading own{};
+        own.brdf = shading[segment.label].brdf;
+        key.shading = {own};
+    } else {
+        key.shading = shading;
+        lightKey.shading = shading;
+    }
+    if (!key.same(state.reshadeKey) || state.samples > targetSamples()) {
+        state.reshadeKey = std::move(key);
+        state.reshadeFresh = true;
+        state.samples = 0;
+        state.cursor = 0;
+        state.filteredSamples = 0;
+        state.filterStep = -1;
+        state.compositeStale = true;
+    }
+    if (!material.translucency) {
+        state.pointsStale = true;
+        state.irradianceKey = {};
+        return;
+    }
+    const kernel::DipoleParams dipole = core::dipoleFromTranslucency(*material.translucency);
+    lightKey.surfaceSamples = scene.render.surfaceSamples;
+    lightKey.irradianceSamples = scene.render.irradianceSamples;
+    lightKey.eta = dipole.alphaPrime.w;
+    const bool newLight = !lightKey.same(state.irradianceKey);
+    if (newLight) {
+        state.irradianceKey = std::move(lightKey);
+        state.pointsStale = true;
+    }
+    if (newLight || !same(dipole, state.dipoleParams)) {
+        state.dipoleParams = dipole;
+        state.dipole = {};
+        state.gatherFresh = true;
+        state.gathered = 0;
+        state.gatherCursor = 0;
+        state.compositeStale = true;
+    }
+}
+
+// ---- uploads --------------------------------------------------------------------------------------------------------
+
+void Renderer::Impl::upload() {
+    if (layersStale) {
+        const auto mark = [](std::uint16_t label) { return static_cast<float>(label); };
+        if (analysis->layers) {
+            geometry.setLayers(*analysis->layers, scene.photo->color, *analysis->front, *analysis->back, mark);
+        } else {
+            const core::DepthLayers layers =
+                core::buildDepthLayers(scene.photo->camera, scene.photo->labels, *analysis->front, *analysis->back);
+            geometry.setLayers(layers, scene.photo->color, *analysis->front, *analysis->back, mark);
+        }
+        layersStale = false;
+    }
+    if (environmentStale) {
+        geometry.setEnvironment(analysis->environment ? *analysis->environment : core::DirectionalMap());
+        environmentStale = false;
+    }
+    if (shadingStale) {
+        const std::uint64_t bytes = shading.size() * sizeof(kernel::SegmentShading);
+        if (paths.shading && paths.shading.size() == bytes) {
+            device.queue().writeBuffer(paths.shading, 0, shading);
+        } else {
+            paths.shading = makeBuffer(device, "segment shading", gpu::BufferUsage::Storage, shading);
+            for (SegmentState& state : segments) state.reshadeGroup = state.irradianceGroup = {};
+        }
+        shadingStale = false;
+    }
+    prepareTargets();
+    for (SegmentState& state : segments) {
+        if (!state.pixels.buffer) preparePixels(state);
+        if (!state.reshadeGroup) state.reshadeGroup = reshade.bind(paths, state.pixels, targets);
+        if (state.translucent()) prepareTranslucency(state);
+        if (scene.render.filter && !state.filterBound) {
+            state.filterGroups = filter.bind(state.pixels, targets);
+            state.filterBound = true;
+        }
+        if (!state.compositeGroup) state.compositeGroup = composite.bind(state.pixels, targets);
+    }
+}
+
+void Renderer::Impl::prepareTargets() {
+    const std::uint32_t width = geometry.width();
+    const std::uint32_t height = geometry.height();
+    const auto fits = [&](const gpu::Texture& t) { return t && t.width() == width && t.height() == height; };
+    if (!fits(targets.result)) {
+        targets = {};
+        targets.accumulation = makeTarget(device, "accumulation", width, height);
+        targets.count = makeTarget(device, "sample count", width, height, gpu::TextureFormat::R32Float);
+        targets.result = makeTarget(device, "result", width, height);
+        targets.filtered = makeTarget(device, "filtered", 1, 1);
+        targets.diffusion = makeTarget(device, "diffusion", 1, 1);
+        resultStale = true;
+        for (SegmentState& state : segments) state.reshadeGroup = state.gatherGroup = state.compositeGroup = {};
+    }
+    if (scene.render.filter && !segments.empty() && !fits(targets.filtered)) {
+        targets.filtered = makeTarget(device, "filtered", width, height);
+        targets.filterPing = makeTarget(device, "filter scratch 1", width, height);
+        targets.filterPong = makeTarget(device, "filter scratch 2", width, height);
+        for (SegmentState& state : segments) {
+            state.compositeGroup = {};
+            state.filterBound = false;
+        }
+    }
+    const bool translucent =
+        std::any_of(segments.begin(), segments.end(), [](const SegmentState& s) { return s.translucent(); });
+    if (translucent && !fits(targets.diffusion)) {
+        targets.diffusion = makeTarget(device, "diffusion", width, height);
+        for (SegmentState& state : segments) state.gatherGroup = state.compositeGroup = {};
+    }
+}
+
+void Renderer::Impl::preparePixels(SegmentState& state) {
+    const core::LabelImage& labels = scene.photo->labels;
+    const core::ImageF& depth = analysis->front->depth;
+    std::vector<std::uint32_t> pixels;
+    for (int y = 0; y < labels.height(); ++y)
+        for (int x = 0; x < labels.width(); ++x)
+            if (labels(x, y) == state.label && depth(x, y) > 0)
+                pixels.push_back(static_cast<std::uint32_t>(x) | static_cast<std::uint32_t>(y) << 16);
+    state.pixels.count = static_cast<std::uint32_t>(pixels.size());
+    state.pixels.buffer =
+        makeBuffer(device, "pixels of segment " + std::to_string(state.label), gpu::BufferUsage::Storage, pixels);
+}
+
+void Renderer::Impl::prepareTranslucency(SegmentState& state) {
+    if (state.pointsStale) {
+        state.points = translucency.upload(core::sampleSurface(*analysis, scene.photo->labels, state.label,
+                                                               scene.render.surfaceSamples, scene.render.seed));
+        state.pointsStale = false;
+        state.litPoints = 0;
+        state.litRays = 0;
+        state.irradianceGroup = state.gatherGroup = {};
+    }
+    if (!state.irradianceGroup) state.irradianceGroup = translucency.bindIrradiance(paths, state.points);
+    if (!state.dipole) {
+        state.dipole = makeBuffer(device, "dipole", gpu::BufferUsage::Uniform,
+                                  std::vector<kernel::DipoleParams>{state.dipoleParams});
+        state.gatherGroup = {};
+    }
+    if (!state.gatherGroup)
+        state.gatherGroup = translucency.bindGather(state.dipole, state.pixels, state.points, targets);
+}
+
+// ---- work -----------------------------------------------------------------------------------------------------------
+
+/// The filter follows the samples at 1, 4, 16, ... and at the end: often enough to look refined, seldom enough to cost
+/// little.
+bool Renderer::Impl::wantsFilter(const SegmentState& state) const {
+    if (!scene.render.filter || state.pixels.count == 0) return false;
+    if (state.filterStep >= 0) return true;
+    if (state.cursor != 0 || state.samples == state.filteredSamples) return false;
+    if (state.samples == targetSamples()) return true;
+    return state.samples >= 1 && state.samples >= 4 * state.filteredSamples;
+}
+
+/// First a first picture of everything, then whatever is least advanced.
+std::pair<SegmentState*, Task> Renderer::Impl::nextTask() {
+    SegmentState* best = nullptr;
+    Task task = Task::None;
+    double bestRank = std::numeric_limits<double>::max();
+    const auto offer = [&](SegmentState& state, Task t, double rank) {
+        if (rank >= bestRank) return;
+        best = &state;
+        task = t;
+        bestRank = rank;
+    };
+    for (SegmentState& state : segments) {
+        if (state.pixels.count == 0) continue;
+        if (state.reshadeFresh || state.samples == 0) {
+            offer(state, Task::Reshade, 0);
+        } else if (wantsFilter(state)) {
+            offer(state, Task::Filter, 1.5);
+        } else if (state.samples < targetSamples()) {
+            offer(state, Task::Reshade, 2 + static_cast<double>(state.samples) / targetSamples());
+        }
+        if (!state.translucent() || state.points.count == 0) continue;
+        const std::uint32_t end = std::min(state.gathered + kChunk, state.points.count);
+        const double done = static_cast<double>(state.gathered) / state.points.count;
+        const double rank = state.gathered == 0 ? 1 : 2 + done;
+        if (state.litPoints < end)
+            offer(state, Task::Irradiance, rank);
+        else if (state.gathered < state.points.count)
+            offer(state, Task::Gather, rank);
+    }
+    return {best, task};
+}
+
+double Renderer::Impl::recordReshade(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds) {
+    const std::string kind = "reshade " + std::to_string(state.label);
+    kernel::ReshadeBlock block{};
+    block.seed = scene.render.seed;
+    block.bounces = positive(scene.render.bounces);
+    if (state.reshadeFresh) {
+        block.pixelCount = state.pixels.count;
+        reshade.record(encoder, geometry, state.reshadeGroup, block);
+        state.reshadeFresh = false;
+    }
+    const std::uint64_t units = timer.units(kind, kPathGuess, seconds, kListGroupSize);
+    block.firstPixel = state.cursor;
+    block.firstSample = state.samples;
+    block.pixelCount = static_cast<std::uint32_t>(std::min<std::uint64_t>(units, state.pixels.count - state.cursor));
+    block.sampleCount = 1;
+    if (block.pixelCount == state.pixels.count) {
+        // At least two slices' worth of whole sweeps; stops where the filter wants a look.
+        std::uint32_t left = targetSamples() - state.samples;
+        if (scene.render.filter) {
+            const std::uint32_t milestone = state.samples == 0 ? 1 : 4 * state.filteredSamples;
+            if (milestone > state.samples) left = std::min(left, milestone - state.samples);
+        }
+        const auto sweeps = static_cast<std::uint32_t>(std::min<std::uint64_t>(units / state.pixels.count, 1u << 20));
+        block.sampleCount = std::clamp(sweeps, 1u, std::min(left, kMaxPathsPerDispatch));
+    }
+    const std::uint64_t paths_ = std::uint64_t{block.pixelCount} * block.sampleCount;
+    {
+        const auto region = timer.measure(encoder, kind, paths_);
+        reshade.record(encoder, geometry, state.reshadeGroup, block);
+    }
+    state.cursor += block.pixelCount;
+    if (state.cursor == state.pixels.count) {
+        state.cursor = 0;
+        state.samples += block.sampleCount;
+    }
+    // A filtered picture stays on show until the next one is ready.
+    if (!scene.render.filter || state.filteredSamples == 0) state.compositeStale = true;
+    dropped->dirty = true;
+    return static_cast<double>(paths_) * timer.cost(kind, kPathGuess);
+}
+
+double Renderer::Impl::recordFilter(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds) {
+    const std::string kind = state.filterStep <= 0 ? "filter start" : "filter";
+    if (state.filterStep < 0) {
+        state.filterStep = 0;
+        state.filterCursor = 0;
+    }
+    const auto count = static_cast<std::uint32_t>(std::min<std::uint64_t>(
+        timer.units(kind, kFilterGuess, seconds, kListGroupSize), state.pixels.count - state.filterCursor));
+    {
+        const auto region = timer.measure(encoder, kind, count);
+        filter.record(encoder, geometry, state.filterGroups, state.filterStep, state.filterCursor, count);
+    }
+    state.filterCursor += count;
+    if (state.filterCursor == state.pixels.count) {
+        state.filterCursor = 0;
+        if (++state.filterStep == FilterPass::stepCount()) {
+            state.filterStep = -1;
+            state.filteredSamples = state.samples;
+            state.compositeStale = true;
+        }
+    }
+    return count * timer.cost(kind, kFilterGuess);
+}
+
+double Renderer::Impl::recordIrradiance(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds) {
+    const std::string kind = "irradiance " + std::to_string(state.label);
+    const std::uint64_t units = timer.units(kind, kPathGuess, seconds, kListGroupSize);
+    kernel::IrradianceBlock block{};
+    block.firstPoint = state.litPoints;
+    block.firstRay = state.litRays;
+    const std::uint32_t raysLeft = rays() - state.litRays;
+    const std::uint32_t pointsLeft = state.points.count - state.litPoints;
+    const std::uint32_t group = std::min(kListGroupSize, pointsLeft);
+    if (state.litRays == 0 && units >= std::uint64_t{group} * raysLeft) {
+        block.rayCount = raysLeft;
+        block.pointCount = static_cast<std::uint32_t>(std::min<std::uint64_t>(units / raysLeft, pointsLeft));
+    } else {
+        block.pointCount = group;
+        block.rayCount = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(units / group, 1, raysLeft));
+    }
+    block.label = state.label;
+    block.seed = kernel::rng_stream(scene.render.seed, 2u * state.label + 1u);
+    block.bounces = positive(scene.render.bounces);
+    block.eta = state.dipoleParams.alphaPrime.w;
+    const std::uint64_t paths_ = std::uint64_t{block.pointCount} * block.rayCount;
+    {
+        const auto region = timer.measure(encoder, kind, paths_);
+        translucency.record(encoder, geometry, state.irradianceGroup, block);
+    }
+    state.litRays += block.rayCount;
+    if (state.litRays == rays()) {
+        state.litRays = 0;
+        state.litPoints += block.pointCount;
+    }
+    dropped->dirty = true;
+    return static_cast<double>(paths_) * timer.cost(kind, kPathGuess);
+}
+
+double Renderer::Impl::recordGather(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds) {
+    const char* kind = "gather";
+    kernel::DipoleGatherBlock block{};
+    block.sumScale = static_cast<float>(M_PI / rays());
+    if (state.gatherFresh) {
+        block.pixelCount = state.pixels.count;
+        translucency.record(encoder, geometry, state.gatherGroup, block);
+        state.gatherFresh = false;
+    }
+    const std::uint32_t chunk = std::min(kChunk, state.points.count - state.gathered);
+    const std::uint64_t units = timer.units(kind, kPairGuess, seconds, std::uint64_t{kListGroupSize} * chunk);
+    block.firstPixel = state.gatherCursor;
+    block.firstPoint = state.gathered;
+    block.pointCount = chunk;
+    block.pixelCount =
+        static_cast<std::uint32_t>(std::min<std::uint64_t>(units / chunk, state.pixels.count - state.gatherCursor));
+    if (block.pixelCount == state.pixels.count) {
+        const auto chunks = static_cast<std::uint32_t>(
+            std::clamp<std::uint64_t>(units / (std::uint64_t{state.pixels.count} * kChunk), 1, 16));
+        block.pointCount =
+            std::min(chunks * kChunk, std::max(state.litPoints, state.gathered + chunk) - state.gathered);
+    }
+    const std::uint64_t pairs = std::uint64_t{block.pixelCount} * block.pointCount;
+    {
+        const auto region = timer.measure(encoder, kind, pairs);
+        translucency.record(encoder, geometry, state.gatherGroup, block);
+    }
+    state.gatherCursor += block.pixelCount;
+    if (state.gatherCursor == state.pixels.count) {
+        state.gatherCursor = 0;
+        state.gathered += block.pointCount;
+    }
+    state.compositeStale = true;
+    return static_cast<double>(pairs) * timer.cost(kind, kPairGuess);
+}
+
+void Renderer::Impl::recordComposite(const gpu::CommandEncoder& encoder, SegmentState& state) {
+    state.compositeStale = false;
+    const core::Material& material = state.material;
+    const kernel::CompositeBlock block{.pixelCount = state.pixels.count,
+                                       .filtered = scene.render.filter && state.filteredSamples > 0 ? 1u : 0u,
+                                       .blendNew = material.blendNew,
+                                       .blendOriginal = material.blendOriginal,
+                                       .translucentWeight = state.translucent() ? material.translucency->weight : 0.0f,
+                                       .area = state.points.area,
+                                       .eta = state.dipoleParams.alphaPrime.w,
+                                       .pad0 = 0};
+    const auto region = timer.measure(encoder, "composite", state.pixels.count);
+    composite.record(encoder, geometry, state.compositeGroup, block);
+}
+
+void Renderer::Impl::recordDroppedReadback(const gpu::CommandEncoder& encoder) {
+    dropped->dirty = false;
+    dropped->pending = true;
+    encoder.copyBufferToBuffer(paths.dropped, 0, dropped->staging, 0, sizeof(kernel::uint));
+    encoder.onCompleted([reader = dropped] {
+        reader->staging.mapAsync(
+            gpu::MapMode::Read, 0, gpu::kWholeSize, [reader](gpu::MapAsyncStatus status, std::string_view) {
+                reader->pending = false;
+                if (status != gpu::MapAsyncStatus::Success) return;
+                reader->value = *static_cast<const kernel::uint*>(reader->staging.getConstMappedRange());
+                reader->staging.unmap();
+            });
+    });
+}
+
+bool Renderer::Impl::record(gpu::CommandEncoder& encoder, double budgetSeconds) {
+    if (!analysis) return false;
+    timer.collect();
+    upload();
+    bool worked = false;
+    geometry.record(encoder);
+    if (resultStale) {
+        encoder.copyTextureToTexture({.texture = geometry.photo()}, {.texture = targets.result},
+                                     {geometry.width(), geometry.height()});
+        for (SegmentState& state : segments) state.compositeStale = true;
+        resultStale = false;
+        worked = true;
+    }
+
+    double left = budgetSeconds;
+    for (const SegmentState& state : segments) left -= state.pixels.count * timer.cost("composite", kCompositeGuess);
+    do {
+        const auto [state, task] = nextTask();
+        if (task == Task::None) break;
+        const double share = std::max(left, 0.0);
+        switch (task) {
+            case Task::Reshade:
+                left -= recordReshade(encoder, *state, share);
+                break;
+            case Task::Filter:
+                left -= recordFilter(encoder, *state, share);
+                break;
+            case Task::Irradiance:
+                left -= recordIrradiance(encoder, *state, share);
+                break;
+            case Task::Gather:
+                left -= recordGather(encoder, *state, share);
+                break;
+            case Task::None:
+                break;
+        }
+        worked = true;
+    } while (left > 0.1 * budgetSeconds);
+
+    for (SegmentState& state : segments) {
+        if (!state.compositeStale || state.pixels.count == 0) continue;
+        recordComposite(encoder, state);
+        worked = true;
+    }
+    if (dropped->pending) return worked || dropped->dirty;
+    if (dropped->dirty) recordDroppedReadback(encoder);
+    return worked;
+}
+
+// ---- Renderer -------------------------------------------------------------------------------------------------------
+
+Renderer::Renderer(gpu::Device device) : impl_(std::make_unique<Impl>(std::move(device))) {}
+Renderer::~Renderer() = default;
+
+void Renderer::setScene(const core::Scene& scene, std::shared_ptr<const core::Analysis> analysis) {
+    impl_->setScene(scene, std::move(analysis));
+}
+
+bool Renderer::record(gpu::CommandEncoder& encoder, double budgetSeconds) {
+    return impl_->record(encoder, budgetSeconds);
+}
+
+Renderer::Progress Renderer::progress() const {
+    Progress progress;
+    progress.target = impl_->scene.render.samples;
+    progress.samples = progress.target;
+    progress.droppedSamples = impl_->dropped->value;
+    progress.finished = impl_->analysis && impl_->nextTask().second == Task::None && !impl_->resultStale;
+    double sum = 0;
+    int works = 0;
+    const auto add = [&](double done, double total) {
+        sum += total > 0 ? std::min(done / total, 1.0) : 1.0;
+        ++works;
+    };
+    for (const SegmentState& state : impl_->segments) {
+        const bool prepared = static_cast<bool>(state.pixels.buffer);
+        if (!prepared) progress.finished = false;
+        if (state.compositeStale && state.pixels.count > 0) progress.finished = false;
+        if (prepared && state.pixels.count == 0) continue;
+        progress.segments.push_back({.label = state.label,
+                                     .samples = static_cast<int>(state.samples),
+                                     .irradianceSamples = state.translucent() ? static_cast<int>(state.litPoints) : 0,
+                                     .gatheredSamples = state.translucent() ? static_cast<int>(state.gathered) : 0});
+        progress.samples = std::min(progress.samples, static_cast<int>(state.samples));
+        const double sweep = prepared ? static_cast<double>(state.cursor) / state.pixels.count : 0;
+        add(state.samples + sweep, impl_->targetSamples());
+        if (state.translucent())
+            add(prepared ? state.gathered : 0, prepared && !state.pointsStale ? state.points.count : 1);
+    }
+    progress.fraction = works > 0 ? static_cast<float>(sum / works) : (progress.finished ? 1.0f : 0.0f);
+    return progress;
+}
+
+gpu::Texture Renderer::result() const { return impl_->targets.result; }
+
+}  // namespace render

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/segment_state.h"
+
+#include <algorithm>
+
+namespace render {
+namespace {
+
+bool equal(const kernel::vec4& a, const kernel::vec4& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
+}
+
+bool equal(const kernel::SegmentShading& a, const kernel::SegmentShading& b) {
+    return equal(a.brdf.albedo, b.brdf.albedo) && equal(a.brdf.specular, b.brdf.specular) &&
+           equal(a.brdf.eta, b.brdf.eta) && equal(a.brdf.k, b.brdf.k) && equal(a.brdf.values, b.brdf.values) &&
+           a.brdf.type == b.brdf.type && equal(a.diffuse, b.diffuse) && equal(a.blend, b.blend);
+}
+
+}  // namespace
+
+bool SumKey::same(const SumKey& other) const {
+    return seed == other.seed && bounces == other.bounces && surfaceSamples == other.surfaceSamples &&
+           irradianceSamples == other.irradianceSamples && eta == other.eta &&
+           std::equal(shading.begin(), shading.end(), other.shading.begin(), other.shading.end(),
+                      [](const auto& a, const auto& b) { return equal(a, b); });
+}
+
+bool same(const kernel::DipoleParams& a, const kernel::DipoleParams& b) {
+    return equal(a.zr, b.zr) && equal(a.zv, b.zv) && equal(a.sigmaTr, b.sigmaTr) && equal(a.alphaPrime, b.alphaPrime);
+}
+
+}  // namespace render

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "gpu/command_encoder.h"
+#include "gpu/device.h"
+#include "gpu/pass_timer.h"
+
+namespace render {
+
+/// Longest time one slice (one dispatch) is planned to take on the device [s]: keeps a window fluent and stays far from
+/// the time-outs of display drivers.
+inline constexpr double kMaxSliceSeconds = 0.03;
+
+/// Learns what a unit of each kind of work costs on the device in use and sizes slices by it.
+///
+/// A unit is whatever the kind counts (paths, pixel-sample pairs). Before the first measurement a kind costs its
+/// `guess`. A dearer measurement counts at once, a cheaper one half.
+class SliceTimer {
+  public:
+    explicit SliceTimer(const gpu::Device& device);
+
+    /// Estimated device time of one unit of `kind` [s].
+    [[nodiscard]] double cost(const std::string& kind, double guess) const;
+    /// Units of `kind` that take `seconds`, at most what one slice may take; at least `least`.
+    [[nodiscard]] std::uint64_t units(const std::string& kind, double guess, double seconds, std::uint64_t least) const;
+    /// Measures everything recorded into `encoder` until the region ends.
+    [[nodiscard]] gpu::PassTimer::Region measure(const gpu::CommandEncoder& encoder, const std::string& kind,
+                                                 std::uint64_t units);
+    /// Takes in the measurements that have arrived.
+    void collect();
+
+  private:
+    struct Slice {
+        std::string kind;
+        double units = 0;
+    };
+    gpu::PassTimer timer_;
+    std::map<std::string, double> costs_;
+    std::map<std::string, Slice> inFlight_;  ///< by the region's label
+    std::uint64_t nextSlice_ = 0;
+};
+
+}  // namespace render

@@ -1,0 +1,42 @@
+#version 450
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Blend of the new radiance and the photograph in one edited segment (DESIGN 3.5), translucent light added. A pixel that
+// has no sample yet shows the photograph.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_samplerless_texture_functions : require
+#include "shaders/lib/pixels.glsl"
+#include "shaders/shared/composite_block.h"
+#include "shaders/shared/dipole.h"
+#include "shaders/shared/sampling.h"
+
+layout(local_size_x = 64) in;
+layout(push_constant) uniform Block { CompositeBlock block; };
+layout(set = 1, binding = COMPOSITE_PIXELS) readonly buffer Pixels { uint pixels[]; };
+layout(set = 1, binding = COMPOSITE_ACCUMULATION) uniform texture2D accumulationMap;
+layout(set = 1, binding = COMPOSITE_COUNT) uniform texture2D countMap;
+layout(set = 1, binding = COMPOSITE_FILTERED) uniform texture2D filteredMap;
+layout(set = 1, binding = COMPOSITE_DIFFUSION) uniform texture2D diffusionMap;
+layout(set = 1, binding = COMPOSITE_RESULT, rgba32f) uniform writeonly image2D resultMap;
+
+void main() {
+    uint index = listIndex();
+    if (index >= block.pixelCount) return;
+    ivec2 pixel = unpackPixel(pixels[index]);
+    vec3 photo = texelFetch(frontColorMap, pixel, 0).rgb;
+    float count = texelFetch(countMap, pixel, 0).x;
+    vec3 result = photo;
+    if (count > 0.0) {
+        vec3 fresh = block.filtered != 0u ? texelFetch(filteredMap, pixel, 0).rgb
+                                          : texelFetch(accumulationMap, pixel, 0).rgb / count;
+        if (block.translucentWeight != 0.0) {
+            vec4 diffusion = texelFetch(diffusionMap, pixel, 0);
+            vec3 wo = normalize(-frontPosition(pixel));
+            vec3 n = shading_normal(texelFetch(frontNormalMap, pixel, 0).xyz, wo);
+            float transmission = fresnel_transmission(block.eta, max(dot(n, wo), 0.0));
+            float scale = kInvPi * block.area / max(diffusion.w, 1.0) * transmission;
+            fresh += block.translucentWeight * scale * diffusion.rgb;
+        }
+        result = block.blendNew * fresh + block.blendOriginal * photo;
+    }
+    imageStore(resultMap, pixel, vec4(result, 1.0));
+}

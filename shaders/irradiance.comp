@@ -1,0 +1,39 @@
+#version 450
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Light that enters a translucent body at its surface samples (DESIGN 3.6): cosine-weighted rays, each times the Fresnel
+// transmission, summed in order.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_samplerless_texture_functions : require
+#include "shaders/lib/geometry.glsl"
+#include "shaders/shared/dipole.h"
+#include "shaders/shared/irradiance_block.h"
+#include "shaders/shared/path.h"
+
+layout(local_size_x = 64) in;
+layout(push_constant) uniform Block { IrradianceBlock block; };
+layout(set = 1, binding = IRRADIANCE_SHADING) readonly buffer Shading { SegmentShading shading[]; };
+layout(set = 1, binding = IRRADIANCE_DROPPED) buffer Dropped { uint dropped; };
+layout(set = 1, binding = IRRADIANCE_POINTS) readonly buffer Points { SurfacePoint points[]; };
+layout(set = 1, binding = IRRADIANCE_SUMS) buffer Sums { vec4 sums[]; };
+
+#include "shaders/lib/path.glsl"
+#include "shaders/lib/pixels.glsl"
+
+void main() {
+    uint index = listIndex();
+    if (index >= block.pointCount) return;
+    index += block.firstPoint;
+    vec3 p = points[index].position.xyz;
+    vec3 n = points[index].normal.xyz;
+    uint id = uint(points[index].position.w);
+    vec3 sum = block.firstRay == 0u ? vec3(0.0) : sums[index].rgb;
+    for (uint i = 0u; i < block.rayCount; ++i) {
+        uint ray = block.firstRay + i;
+        vec3 wi = sample_cosine_hemisphere(rng_vec2(id, ray, 0u, block.seed));
+        vec3 weight = vec3(fresnel_transmission(block.eta, wi.z));
+        vec3 radiance = followPath(p, n, weight, normalize(from_local(n, wi)), id, ray, block.seed, block.bounces);
+        if (path_valid(radiance)) sum += radiance;
+        else atomicAdd(dropped, 1u);
+    }
+    sums[index] = vec4(sum, 0.0);
+}

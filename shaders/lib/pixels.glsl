@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lists of pixels, and the surface the camera sees in one.
+#ifndef PATINA_PIXELS_GLSL
+#define PATINA_PIXELS_GLSL
+
+#include "shaders/lib/geometry.glsl"
+
+// Index of this invocation in a list that a two-dimensional grid of workgroups covers (render::listGroups).
+uint listIndex() { return gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * gl_WorkGroupSize.x) + gl_GlobalInvocationID.x; }
+
+ivec2 unpackPixel(uint packed) { return ivec2(packed & 0xffffu, packed >> 16); }
+
+// Point of the front layer at the pixel's centre [m].
+vec3 frontPosition(ivec2 pixel) { return backProject(vec2(pixel) + 0.5, 1.0 / texelFetch(frontPatchMap, pixel, 0).x); }
+
+#endif

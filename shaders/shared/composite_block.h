@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parameters of composite.comp (push constants): blend of one segment's new radiance with the photograph.
+#ifndef PATINA_COMPOSITE_BLOCK_H
+#define PATINA_COMPOSITE_BLOCK_H
+
+#include "shaders/shared/interop.h"
+
+#define COMPOSITE_PIXELS 0        // the segment's pixels, x | y << 16
+#define COMPOSITE_ACCUMULATION 1  // rgba32float: sum of radiance, sum of squared luminance
+#define COMPOSITE_COUNT 2         // r32float: samples in the sum
+#define COMPOSITE_FILTERED 3      // rgba32float: filtered colour
+#define COMPOSITE_DIFFUSION 4     // rgba32float: sum of E R_d, number of samples in it
+#define COMPOSITE_RESULT 5        // rgba32float
+
+KERNEL_BEGIN
+
+struct CompositeBlock {
+    uint pixelCount;
+    uint filtered;  // 1: take the filtered colour
+    float blendNew;
+    float blendOriginal;
+    float translucentWeight;  // 0: not translucent
+    float area;               // of the segment's surface, front and back [m^2]
+    float eta;                // relative index of refraction of the boundary
+    float pad0;
+};
+KERNEL_BLOCK(CompositeBlock, 32)
+
+KERNEL_END
+
+#endif
