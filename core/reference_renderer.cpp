@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reference_renderer.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -12,6 +9,7 @@
 
 #include "core/brdf.h"
 #include "core/image_filter.h"
+#include "core/parallel.h"
 #include "shaders/shared/rng.h"
 
 namespace core {
@@ -23,18 +21,6 @@ constexpr float kGlossyAlpha = 0.05f;
 
 kernel::vec3 toKernel(const Vector3f& v) { return {v.x(), v.y(), v.z()}; }
 Vector3f fromKernel(kernel::vec3 v) { return {v.x, v.y, v.z}; }
-
-/// Runs `body(row)` for every row in parallel, reports progress and stops when asked to.
-template <class Body>
-void forEachRow(int rows, std::string_view step, const StepContext& context, const Body& body) {
-    std::atomic<int> done{0};
-    tbb::parallel_for(tbb::blocked_range<int>(0, rows, 1), [&](const tbb::blocked_range<int>& range) {
-        for (int row = range.begin(); row < range.end(); ++row) {
-            body(row);
-            context.checkpoint(step, static_cast<float>(++done) / static_cast<float>(rows));
-        }
-    });
-}
 
 kernel::SegmentShading shadingOf(const Segment& segment, const Analysis& analysis) {
     kernel::SegmentShading s;
@@ -92,7 +78,9 @@ struct ReferenceRenderer::Vertex {
 ReferenceRenderer::ReferenceRenderer(const Scene& scene, std::shared_ptr<const Analysis> analysis)
     : scene_(scene),
       analysis_(std::move(analysis)),
-      layers_(buildDepthLayers(scene.photo->camera, scene.photo->labels, *analysis_->front, *analysis_->back)),
+      layers_(analysis_->layers ? analysis_->layers
+                                : std::make_shared<DepthLayers>(buildDepthLayers(
+                                      scene.photo->camera, scene.photo->labels, *analysis_->front, *analysis_->back))),
       shading_(buildSegmentShading(scene_, *analysis_)) {}
 
 const kernel::SegmentShading& ReferenceRenderer::shadingOf(std::uint16_t label) const {
@@ -115,8 +103,8 @@ Vector3f ReferenceRenderer::follow(const Vertex& start, kernel::vec3 throughput,
             direction = kernel::normalize(kernel::from_local(vertex.n, wi));
         }
         if (kernel::max(throughput.x, kernel::max(throughput.y, throughput.z)) == 0) break;
-        const kernel::vec3 origin = vertex.p + vertex.n * marchBias(layers_.camera, vertex.p.z);
-        const std::optional<MarchHit> hit = march(layers_, fromKernel(origin), fromKernel(direction));
+        const kernel::vec3 origin = vertex.p + vertex.n * marchBias(layers_->camera, vertex.p.z);
+        const std::optional<MarchHit> hit = march(*layers_, fromKernel(origin), fromKernel(direction));
         if (!hit) {
             if (analysis_->environment && !analysis_->environment->empty())
                 radiance += throughput * toKernel(analysis_->environment->lookup(fromKernel(direction)));
@@ -125,7 +113,7 @@ Vector3f ReferenceRenderer::follow(const Vertex& start, kernel::vec3 throughput,
         const Surface& layer = hit->back ? *analysis_->back : *analysis_->front;
         const kernel::vec3 color = toKernel(layer.color(hit->x, hit->y));
         const kernel::vec3 normal = toKernel(layer.normal(hit->x, hit->y));
-        const kernel::SegmentShading& shading = shadingOf(layers_.labels(hit->x, hit->y));
+        const kernel::SegmentShading& shading = shadingOf(layers_->labels(hit->x, hit->y));
         if (shading.blend.w == 0 || b + 1 == bounces || kernel::dot(normal, normal) == 0) {
             radiance += throughput * color;
             break;
@@ -141,7 +129,7 @@ Vector3f ReferenceRenderer::follow(const Vertex& start, kernel::vec3 throughput,
 }
 
 Vector3f ReferenceRenderer::pathRadiance(int x, int y, std::uint32_t sample) const {
-    const kernel::SegmentShading& shading = shadingOf(layers_.labels(x, y));
+    const kernel::SegmentShading& shading = shadingOf(layers_->labels(x, y));
     const Surface& front = *analysis_->front;
     if (shading.diffuse.w == 0 || !(front.depth(x, y) > 0)) return Vector3f::Zero();
     Vertex vertex;
@@ -159,15 +147,15 @@ Vector3f ReferenceRenderer::pathRadiance(int x, int y, std::uint32_t sample) con
 }
 
 Accumulation ReferenceRenderer::reshade(int samples, std::uint32_t first, const StepContext& context) const {
-    const int width = layers_.camera.width;
-    const int height = layers_.camera.height;
+    const int width = layers_->camera.width;
+    const int height = layers_->camera.height;
     Accumulation result{.sum = ImageRgb(width, height, Vector3f::Zero()),
                         .sumSquaredLuminance = ImageF(width, height),
                         .samples = samples};
     std::atomic<std::uint64_t> dropped{0};
-    forEachRow(height, "Re-shading", context, [&](int y) {
+    parallelFor(context, "Re-shading", height, [&](int y) {
         for (int x = 0; x < width; ++x) {
-            if (shadingOf(layers_.labels(x, y)).diffuse.w == 0) continue;
+            if (shadingOf(layers_->labels(x, y)).diffuse.w == 0) continue;
             Eigen::Vector3d sum = Eigen::Vector3d::Zero();
             double squared = 0;
             for (int s = 0; s < samples; ++s) {
@@ -192,7 +180,7 @@ std::vector<Vector3f> ReferenceRenderer::irradiance(const SurfaceSamples& sample
                                                     int rays, const StepContext& context) const {
     const std::uint32_t seed = kernel::rng_stream(scene_.render.seed, 2u * label + 1u);
     std::vector<Vector3f> result(samples.samples.size(), Vector3f::Zero());
-    forEachRow(static_cast<int>(result.size()), "Gathering light", context, [&](int i) {
+    parallelFor(context, "Gathering light", static_cast<int>(result.size()), [&](int i) {
         const SurfaceSample& sample = samples.samples[static_cast<std::size_t>(i)];
         const auto id = static_cast<std::uint32_t>(i);
         Vertex vertex;
@@ -219,12 +207,12 @@ ImageRgb ReferenceRenderer::translucentRadiosity(const SurfaceSamples& samples, 
                                                  const StepContext& context) const {
     CORE_ASSERT(samples.samples.size() == irradiance.size(), "one irradiance per surface sample");
     const Surface& front = *analysis_->front;
-    ImageRgb result(layers_.camera.width, layers_.camera.height, Vector3f::Zero());
+    ImageRgb result(layers_->camera.width, layers_->camera.height, Vector3f::Zero());
     if (samples.samples.empty()) return result;
     const double factor = samples.area / static_cast<double>(samples.samples.size()) / M_PI;
-    forEachRow(result.height(), "Scattering light", context, [&](int y) {
+    parallelFor(context, "Scattering light", result.height(), [&](int y) {
         for (int x = 0; x < result.width(); ++x) {
-            if (layers_.labels(x, y) != label || !(front.depth(x, y) > 0)) continue;
+            if (layers_->labels(x, y) != label || !(front.depth(x, y) > 0)) continue;
             const Vector3f p = front.position(x, y);
             Eigen::Vector3d sum = Eigen::Vector3d::Zero();
             for (std::size_t i = 0; i < irradiance.size(); ++i) {
@@ -239,17 +227,17 @@ ImageRgb ReferenceRenderer::translucentRadiosity(const SurfaceSamples& samples, 
 
 ImageRgb ReferenceRenderer::translucency(const StepContext& context) const {
     const Surface& front = *analysis_->front;
-    ImageRgb result(layers_.camera.width, layers_.camera.height, Vector3f::Zero());
+    ImageRgb result(layers_->camera.width, layers_->camera.height, Vector3f::Zero());
     for (const Segment& segment : scene_.segments) {
         if (!segment.edit || !segment.edit->translucency) continue;
         const kernel::DipoleParams dipole = dipoleFromTranslucency(*segment.edit->translucency);
         const SurfaceSamples samples =
-            sampleSurface(*analysis_, layers_.labels, segment.label, scene_.render.surfaceSamples, scene_.render.seed);
+            sampleSurface(*analysis_, layers_->labels, segment.label, scene_.render.surfaceSamples, scene_.render.seed);
         const std::vector<Vector3f> light =
             irradiance(samples, segment.label, dipole.alphaPrime.w, scene_.render.irradianceSamples, context);
         const ImageRgb radiosity = translucentRadiosity(samples, light, segment.label, dipole, context);
         for (std::size_t i = 0; i < result.size(); ++i) {
-            if (layers_.labels[i] != segment.label || !(front.depth[i] > 0)) continue;
+            if (layers_->labels[i] != segment.label || !(front.depth[i] > 0)) continue;
             const kernel::vec3 wo = kernel::normalize(-toKernel(front.position[i]));
             const kernel::vec3 n = kernel::shading_normal(toKernel(front.normal[i]), wo);
             result[i] =
@@ -262,7 +250,7 @@ ImageRgb ReferenceRenderer::translucency(const StepContext& context) const {
 ImageRgb ReferenceRenderer::composite(const ImageRgb& reshaded, const ImageRgb& translucent) const {
     ImageRgb result = scene_.photo->color;
     for (std::size_t i = 0; i < result.size(); ++i) {
-        const Segment* segment = layers_.labels[i] == 0 ? nullptr : scene_.findSegment(layers_.labels[i]);
+        const Segment* segment = layers_->labels[i] == 0 ? nullptr : scene_.findSegment(layers_->labels[i]);
         if (segment == nullptr || !segment->edit || !(analysis_->front->depth[i] > 0)) continue;
         const Material& material = *segment->edit;
         Vector3f fresh = reshaded[i];

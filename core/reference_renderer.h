@@ -64,7 +64,7 @@ struct Accumulation {
 };
 
 /// CPU twin and oracle of the GPU renderer: slow, exact marching, plain sums in double. Works on its own copy of the
-/// scene's values; the analysis must hold front and back.
+/// scene's values; the analysis must hold front and back (layers are built from them when it has none).
 class ReferenceRenderer {
   public:
     ReferenceRenderer(const Scene& scene, std::shared_ptr<const Analysis> analysis);
@@ -101,7 +101,7 @@ class ReferenceRenderer {
 
     Scene scene_;
     std::shared_ptr<const Analysis> analysis_;
-    DepthLayers layers_;
+    std::shared_ptr<const DepthLayers> layers_;
     std::vector<kernel::SegmentShading> shading_;
 };
 

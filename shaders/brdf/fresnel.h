@@ -18,8 +18,8 @@ const int kFresnelConductor = 3;
 KERNEL_FN float fresnel_dielectric(float cosI, float eta) {
     float c = clamp(cosI, 0.0f, 1.0f);
     float g2 = eta * eta - 1.0f + c * c;
-    if (g2 <= 0.0f) return 1.0f;
     if (eta == 1.0f) return 0.0f;
+    if (g2 <= 0.0f) return 1.0f;
     float g = sqrt(g2);
     float s = (g - c) / (g + c);
     float p = (c * (g + c) - 1.0f) / (c * (g - c) + 1.0f);
