@@ -20,6 +20,7 @@ struct BindGroupLayoutEntry {
     bool hasDynamicOffset = false;                           ///< buffers only
     std::uint64_t minBindingSize = 0;                        ///< buffers only [bytes]; 0 = anything
     TextureFormat storageFormat = TextureFormat::Undefined;  ///< storage textures only; Undefined = anything
+    TextureSampleType sampleType = TextureSampleType::Any;   ///< sampled textures only
     friend bool operator==(const BindGroupLayoutEntry&, const BindGroupLayoutEntry&) = default;
 };
 

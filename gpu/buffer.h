@@ -30,9 +30,9 @@ class Buffer : public Handle<detail::BufferImpl> {
     [[nodiscard]] const std::string& label() const;
     [[nodiscard]] BufferMapState mapState() const;
 
-    /// Asks for access by the CPU once all work submitted so far has completed. The callback comes from tick() or a
-    /// later call on this thread, never from mapAsync itself; unmap() before that aborts it. `size` may be kWholeSize.
-    /// A buffer that is mapped or about to be cannot be used by a submission.
+    /// Asks for access by the CPU once the submitted work that uses the buffer has completed. The callback comes from
+    /// tick() or a later call on this thread, never from mapAsync itself; unmap() before that aborts it. `size` may be
+    /// kWholeSize. A buffer that is mapped or about to be cannot be used by a submission.
     void mapAsync(MapMode mode, std::uint64_t offset, std::uint64_t size, BufferMapCallback callback) const;
     /// The mapped bytes from `offset` (of the buffer); within the mapped range only.
     [[nodiscard]] void* getMappedRange(std::uint64_t offset = 0, std::uint64_t size = kWholeSize) const;

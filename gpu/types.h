@@ -110,6 +110,9 @@ enum class BindingType {
     ReadWriteStorageTexture,
 };
 
+/// What a sampled texture gives a shader.
+enum class TextureSampleType { Any, Float, Uint, Sint };
+
 /// Size in texels. Textures are two-dimensional: the third extent must be 1.
 struct Extent3D {
     std::uint32_t width = 1;

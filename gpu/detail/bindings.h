@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/bind_group.h"
+#include "gpu/detail/object.h"
+#include "gpu/detail/resources.h"
+#include "gpu/detail/spirv_reflect.h"
+#include "gpu/pipeline.h"
+#include "gpu/shader_module.h"
+
+namespace gpu::detail {
+
+class ShaderModuleImpl final : public Object {
+  public:
+    ShaderModuleImpl(DeviceImpl& device, const ShaderModuleDescriptor& descriptor);
+    ~ShaderModuleImpl() override { release(); }
+    void release() noexcept override;
+
+    VkShaderModule vk = VK_NULL_HANDLE;
+    Reflection reflection;
+};
+
+class BindGroupLayoutImpl final : public Object {
+  public:
+    BindGroupLayoutImpl(DeviceImpl& device, const BindGroupLayoutDescriptor& descriptor);
+    ~BindGroupLayoutImpl() override { release(); }
+    void release() noexcept override;
+
+    [[nodiscard]] const BindGroupLayoutEntry* find(std::uint32_t binding) const;
+
+    VkDescriptorSetLayout vk = VK_NULL_HANDLE;
+    std::vector<BindGroupLayoutEntry> entries;  // by rising binding
+    std::uint32_t dynamicCount = 0;
+};
+
+class BindGroupImpl final : public Object {
+  public:
+    BindGroupImpl(DeviceImpl& device, const BindGroupDescriptor& descriptor);
+    ~BindGroupImpl() override { release(); }
+    void release() noexcept override;
+
+    struct Bound {
+        BindGroupLayoutEntry entry;
+        std::shared_ptr<BufferImpl> buffer;
+        std::uint64_t offset = 0;
+        std::uint64_t size = 0;
+        std::shared_ptr<TextureViewImpl> view;
+        std::shared_ptr<SamplerImpl> sampler;
+    };
+
+    DescriptorSet set;
+    std::shared_ptr<BindGroupLayoutImpl> layout;
+    std::vector<Bound> bound;  // in the order of layout->entries
+
+  private:
+    void checkBuffer(const BindGroupEntry& given, Bound& bound);
+    void checkTexture(const BindGroupEntry& given, Bound& bound);
+    void write();
+};
+
+class PipelineLayoutImpl final : public Object {
+  public:
+    PipelineLayoutImpl(DeviceImpl& device, std::string label,
+                       std::vector<std::shared_ptr<BindGroupLayoutImpl>> bindGroupLayouts,
+                       std::uint32_t pushConstantBytes, ShaderStage pushConstantShaderStages);
+    ~PipelineLayoutImpl() override { release(); }
+    void release() noexcept override;
+
+    VkPipelineLayout vk = VK_NULL_HANDLE;
+    std::vector<std::shared_ptr<BindGroupLayoutImpl>> groups;
+    std::uint32_t pushConstantSize = 0;
+    ShaderStage pushConstantStages = ShaderStage::None;
+};
+
+/// The layout a pipeline's shaders ask for.
+[[nodiscard]] std::shared_ptr<PipelineLayoutImpl> deriveLayout(DeviceImpl& device, const std::string& label,
+                                                               const std::vector<const ShaderModuleImpl*>& modules);
+/// Throws unless the layout offers what the module needs.
+void requireLayoutFits(const PipelineLayoutImpl& layout, const ShaderModuleImpl& module, const std::string& pipeline);
+
+/// Specialization constants in Vulkan's form; valid as long as this object stays where it is.
+class Specialization {
+  public:
+    Specialization(const std::vector<ConstantEntry>& constants, const ShaderModuleImpl& module,
+                   const std::string& pipeline);
+    Specialization(const Specialization&) = delete;
+    Specialization& operator=(const Specialization&) = delete;
+    [[nodiscard]] const VkSpecializationInfo* info() const { return entries_.empty() ? nullptr : &info_; }
+    [[nodiscard]] const std::map<std::uint32_t, std::uint32_t>& values() const { return values_; }
+
+  private:
+    std::map<std::uint32_t, std::uint32_t> values_;  // constant_id -> bits
+    std::vector<VkSpecializationMapEntry> entries_;
+    std::vector<std::uint32_t> data_;
+    VkSpecializationInfo info_ = {};
+};
+
+[[nodiscard]] VkPipelineShaderStageCreateInfo stageInfo(const ShaderModuleImpl& module, VkShaderStageFlagBits stage,
+                                                        const Specialization& specialization);
+/// The module behind a handle; throws unless it is for this stage.
+[[nodiscard]] ShaderModuleImpl& resolveModule(const ShaderModule& handle, const DeviceImpl& device, ShaderStage stage,
+                                              const std::string& pipeline, const char* what);
+
+class ComputePipelineImpl final : public Object {
+  public:
+    ComputePipelineImpl(DeviceImpl& device, const ComputePipelineDescriptor& descriptor);
+    ~ComputePipelineImpl() override { release(); }
+    void release() noexcept override;
+
+    VkPipeline vk = VK_NULL_HANDLE;
+    std::shared_ptr<PipelineLayoutImpl> layout;
+    std::array<std::uint32_t, 3> workgroupSize = {1, 1, 1};
+};
+
+class RenderPipelineImpl final : public Object {
+  public:
+    RenderPipelineImpl(DeviceImpl& device, const RenderPipelineDescriptor& descriptor);
+    ~RenderPipelineImpl() override { release(); }
+    void release() noexcept override;
+
+    VkPipeline vk = VK_NULL_HANDLE;
+    std::shared_ptr<PipelineLayoutImpl> layout;
+    std::vector<TextureFormat> targets;  // empty with an external target
+    bool external = false;
+    std::uint32_t vertexBufferCount = 0;
+};
+
+/// A Vulkan render pass for attachments of these formats, all in GENERAL.
+[[nodiscard]] VkRenderPass createRenderPass(DeviceImpl& device, const std::vector<TextureFormat>& formats,
+                                            const std::vector<RenderPassColorAttachment>* attachments,
+                                            const std::string& label);
+
+}  // namespace gpu::detail

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "gpu/command_encoder.h"
+#include "gpu/detail/bindings.h"
+#include "gpu/detail/object.h"
+#include "gpu/detail/usage_tracker.h"
+
+namespace gpu::detail {
+
+/// A Vulkan command buffer, what it uses, and what happens when it has run.
+class CommandBufferImpl final : public Object {
+  public:
+    CommandBufferImpl(DeviceImpl& device, std::string label);
+    /// Records into a command buffer that somebody else began and will submit.
+    CommandBufferImpl(DeviceImpl& device, std::string label, VkCommandBuffer adopted);
+    ~CommandBufferImpl() override { release(); }
+    void release() noexcept override;
+
+    /// Keeps an object alive until the commands have run.
+    void keep(Object& object) { kept_.insert(object.shared_from_this()); }
+    void use(BufferImpl& buffer, const Access& access);
+    void use(TextureImpl& texture, std::uint32_t mipLevel, const Access& access);
+    /// Records the barrier for the uses noted since the last command.
+    void barrier() { tracker_.flush(vk); }
+    /// Ends recording; on an adopted command buffer only makes results visible to the host.
+    void end();
+    /// Throws when a buffer this uses is mapped or about to be.
+    void requireNothingMapped() const;
+    void markSubmitted(std::uint64_t serial);
+    /// Lets go of everything the commands used.
+    void releaseUsed() { kept_.clear(); }
+
+    VkCommandBuffer vk = VK_NULL_HANDLE;
+    const bool adopted = false;
+    bool submitted = false;
+    std::uint64_t frame = 0;  ///< number of the adopted frame; 0 for others
+    std::vector<std::function<void()>> onCompleted;
+
+  private:
+    void waitForEarlierWork();
+
+    UsageTracker tracker_;
+    std::unordered_set<std::shared_ptr<Object>> kept_;
+    std::unordered_set<BufferImpl*> mappable_;
+    bool hostReads_ = false;
+};
+
+/// Copies data into a buffer before the next submission, in pieces of the staging memory's size.
+void writeThroughQueue(BufferImpl& buffer, std::uint64_t offset, const void* data, std::size_t size);
+
+/// One use of a resource by a dispatch or a render pass.
+struct ResourceUse {
+    BufferImpl* buffer = nullptr;
+    TextureImpl* texture = nullptr;
+    std::uint32_t mipLevel = 0;
+    Access access;
+    std::uint32_t group = 0;
+    std::uint32_t binding = 0;
+};
+
+/// Uses of one scope (a dispatch, a render pass), checked for WebGPU's rule: written by one binding, it is not read by
+/// another.
+class UsageScope {
+  public:
+    void add(const ResourceUse& use) { uses_.push_back(use); }
+    void requireNoConflict(const std::string& where) const;
+    void record(CommandBufferImpl& commands) const;
+    void clear() { uses_.clear(); }
+
+  private:
+    std::vector<ResourceUse> uses_;
+};
+
+/// Groups, dynamic offsets and push constants as they are set on a pass.
+class BindingState {
+  public:
+    explicit BindingState(DeviceImpl& device) : device_(device) {}
+
+    void setPipelineLayout(std::shared_ptr<PipelineLayoutImpl> layout);
+    void setBindGroup(std::uint32_t index, const BindGroup& group, std::span<const std::uint32_t> dynamicOffsets,
+                      CommandBufferImpl& commands);
+    void setPushConstants(const void* data, std::size_t size, const std::string& pass);
+    /// Throws unless everything the pipeline needs is set and fits.
+    void requireComplete(const std::string& pipeline) const;
+    void collectUses(UsageScope& scope) const;
+
+    /// What has to be bound, detached from this object.
+    struct Snapshot {
+        VkPipelineLayout layout = VK_NULL_HANDLE;
+        struct Set {
+            std::uint32_t index = 0;
+            std::uint32_t dynamicCount = 0;
+            VkDescriptorSet vk = VK_NULL_HANDLE;
+        };
+        std::vector<Set> sets;  // groups without entries are left out
+        std::vector<std::uint32_t> dynamicOffsets;
+        std::vector<std::byte> pushConstants;
+        VkShaderStageFlags pushConstantStages = 0;
+        void record(VkCommandBuffer commandBuffer, VkPipelineBindPoint bindPoint) const;
+    };
+    [[nodiscard]] Snapshot snapshot() const;
+
+  private:
+    struct Slot {
+        std::shared_ptr<BindGroupImpl> group;
+        std::vector<std::uint32_t> dynamicOffsets;
+    };
+
+    DeviceImpl& device_;
+    std::shared_ptr<PipelineLayoutImpl> layout_;
+    std::vector<Slot> slots_;
+    std::array<std::byte, kMaxPushConstantSize> pushConstants_ = {};
+    std::size_t pushConstantsSet_ = 0;
+};
+
+class CommandEncoderImpl {
+  public:
+    CommandEncoderImpl(std::shared_ptr<DeviceImpl> device, std::string label,
+                       std::shared_ptr<CommandBufferImpl> commands)
+        : device_(std::move(device)), label_(std::move(label)), commands_(std::move(commands)) {}
+    ~CommandEncoderImpl();
+    CommandEncoderImpl(const CommandEncoderImpl&) = delete;
+    CommandEncoderImpl& operator=(const CommandEncoderImpl&) = delete;
+
+    /// Runs a recording call: throws when finished or when a pass is open. An error kept by a scope makes the encoder
+    /// invalid, as in WebGPU: finish() fails.
+    template <class F>
+    auto record(F&& call) -> std::invoke_result_t<F> {
+        return guardedCall([&] {
+            requireOpen();
+            require(!passOpen, "Encoder ", quoted(label_),
+                    " has an open pass; end it before recording on the encoder.");
+            return call();
+        });
+    }
+    template <class F>
+    auto guardedCall(F&& call) -> std::invoke_result_t<F> {
+        return device_->guarded([&]() -> std::invoke_result_t<F> {
+            try {
+                return call();
+            } catch (const Error& error) {
+                if (device_->wouldCapture(error)) invalid_ = true;
+                throw;
+            }
+        });
+    }
+    void requireOpen() const;
+    std::shared_ptr<CommandBufferImpl> finish();
+
+    [[nodiscard]] const std::shared_ptr<DeviceImpl>& device() const { return device_; }
+    [[nodiscard]] const std::string& label() const { return label_; }
+    [[nodiscard]] CommandBufferImpl& commands() const { return *commands_; }
+
+    void writeTimestamp(QuerySetImpl& querySet, std::uint32_t index, VkPipelineStageFlagBits stage);
+
+    bool passOpen = false;
+    int debugGroups = 0;
+
+  private:
+    std::shared_ptr<DeviceImpl> device_;
+    std::string label_;
+    std::shared_ptr<CommandBufferImpl> commands_;
+    bool finished_ = false;
+    bool invalid_ = false;
+};
+
+class ComputePassImpl {
+  public:
+    ComputePassImpl(std::shared_ptr<CommandEncoderImpl> encoder, const ComputePassDescriptor& descriptor);
+    ~ComputePassImpl();
+    ComputePassImpl(const ComputePassImpl&) = delete;
+    ComputePassImpl& operator=(const ComputePassImpl&) = delete;
+
+    void requireOpen() const;
+    void prepareDispatch(const ResourceUse* indirect);
+    void end();
+
+    const std::shared_ptr<CommandEncoderImpl> encoder;
+    const std::string label;
+    std::shared_ptr<ComputePipelineImpl> pipeline;
+    BindingState bindings;
+    int debugGroups = 0;
+
+  private:
+    std::optional<PassTimestampWrites> timestampWrites_;
+    UsageScope scope_;
+    bool open_ = true;
+};
+
+class RenderPassImpl {
+  public:
+    struct Target {
+        VkRenderPass renderPass = VK_NULL_HANDLE;
+        VkFramebuffer framebuffer = VK_NULL_HANDLE;
+        std::uint32_t width = 0;
+        std::uint32_t height = 0;
+        std::vector<VkClearValue> clearValues;
+        std::vector<TextureFormat> formats;  // empty when external
+        bool external = false;
+        UsageScope attachments;
+    };
+    RenderPassImpl(std::shared_ptr<CommandEncoderImpl> encoder, std::string label, Target target,
+                   std::optional<PassTimestampWrites> timestampWrites);
+    ~RenderPassImpl();
+    RenderPassImpl(const RenderPassImpl&) = delete;
+    RenderPassImpl& operator=(const RenderPassImpl&) = delete;
+
+    void requireOpen() const;
+    void prepareDraw(bool indexed);
+    void end();
+
+    const std::shared_ptr<CommandEncoderImpl> encoder;
+    const std::string label;
+    std::shared_ptr<RenderPipelineImpl> pipeline;
+    BindingState bindings;
+    Target target;
+    UsageScope scope;
+    std::vector<std::function<void(VkCommandBuffer)>> recorded;
+    std::unordered_set<std::uint32_t> vertexBuffers;
+    bool indexBuffer = false;
+
+  private:
+    std::optional<PassTimestampWrites> timestampWrites_;
+    bool open_ = true;
+};
+
+}  // namespace gpu::detail
