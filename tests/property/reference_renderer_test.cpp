@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Furnaces and closed forms for the oracle itself.
+#include "core/reference_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "tests/support/shading_scene.h"
+
+namespace core {
+namespace {
+
+using test::AnalyticHit;
+using test::AnalyticScene;
+using test::squareCamera;
+
+Vector3f mean(const ImageRgb& image, const LabelImage& labels, std::uint16_t label) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double count = 0;
+    for (std::size_t i = 0; i < image.size(); ++i)
+        if (labels[i] == label) {
+            sum += image[i].cast<double>();
+            count += 1;
+        }
+    return (sum / count).cast<float>();
+}
+
+TEST(ReferenceFurnace, WhiteLambertSphereVanishes) {
+    // The photograph is white too, so every path ends with 1 wherever it ends.
+    AnalyticScene s(squareCamera(32, 40), test::sphere(0.3f, 1, Vector3f(1, 1, 1)));
+    s.setEnvironment([](const Vector3f&) { return Vector3f(1, 1, 1); });
+    s.edit(1, "lambert");
+    s.scene.render.samples = 16;
+    const ReferenceRenderer renderer(s.scene, s.analysis);
+    const Accumulation sums = renderer.reshade(16);
+    EXPECT_EQ(sums.dropped, 0u);
+    for (std::size_t i = 0; i < sums.sum.size(); ++i) {
+        const float expected = s.scene.photo->labels[i] == 1 ? 16.0f : 0.0f;
+        ASSERT_NEAR((sums.sum[i] - Vector3f::Constant(expected)).cwiseAbs().maxCoeff(), 0, 1e-4) << i;
+    }
+}
+
+TEST(ReferenceFurnace, ConvexSphereHardlySeesItself) {
+    // A black photograph and one bounce: what is missing from 1 is the share of rays that hit the sphere they left.
+    AnalyticScene s(squareCamera(48, 60), test::sphere(0.3f, 1));
+    s.setEnvironment([](const Vector3f&) { return Vector3f(1, 1, 1); });
+    s.edit(1, "lambert");
+    s.scene.render.bounces = 1;
+    const ReferenceRenderer renderer(s.scene, s.analysis);
+    const Accumulation sums = renderer.reshade(64);
+    EXPECT_GT(mean(sums.sum, s.scene.photo->labels, 1).x() / 64, 0.98f);
+}
+
+TEST(ReferenceRenderer, MirrorShowsTheEnvironmentInTheMirrorDirection) {
+    AnalyticScene s(squareCamera(48, 60), test::sphere(0.3f, 1));
+    const auto radiance = [](const Vector3f& d) { return Vector3f(1.5f + d.x(), 1.5f + d.y(), 1.5f + d.z()); };
+    s.setEnvironment(radiance);
+    s.edit(1, "phong").values[0] = 1e5f;  // tails short enough for a bound on every pixel
+    s.scene.render.bounces = 1;
+    const ReferenceRenderer renderer(s.scene, s.analysis);
+    const Accumulation sums = renderer.reshade(16);
+    const Surface& front = *s.analysis->front;
+    int checked = 0;
+    for (std::size_t i = 0; i < sums.sum.size(); ++i) {
+        if (s.scene.photo->labels[i] != 1) continue;
+        const Vector3f d = front.position[i].normalized();
+        const Vector3f n = front.normal[i];
+        if (-d.dot(n) < 0.3f) continue;
+        const Vector3f mirror = d - 2 * d.dot(n) * n;
+        ASSERT_NEAR((sums.sum[i] / 16 - radiance(mirror)).cwiseAbs().maxCoeff(), 0, 0.02) << i;
+        ++checked;
+    }
+    EXPECT_GT(checked, 500);
+}
+
+TEST(ReferenceRenderer, OneBounceFromAWallIsItsFormFactor) {
+    // A white floor under a glowing wall, in the dark.
+    const float wallZ = 2;
+    const float floorY = 0.5f;
+    const Camera camera = squareCamera(64, 64);
+    AnalyticScene s(camera, [&](const Vector3f& ray) {
+        AnalyticHit hit;
+        const float z = ray.y() > 0 ? floorY / ray.y() : 1e9f;
+        if (z < wallZ) {
+            hit.label = 1;
+            hit.front = z;
+            hit.back = z * 1.01f;
+            hit.frontNormal = Vector3f(0, -1, 0);
+            hit.backNormal = Vector3f(0, 1, 0);
+        } else {
+            hit.label = 2;
+            hit.front = wallZ;
+            hit.back = wallZ + 0.05f;
+            hit.color = Vector3f(1, 2, 4);
+        }
+        return hit;
+    });
+    s.edit(1, "lambert").albedo = Vector3f(0.5f, 0.5f, 0.5f);
+    const ReferenceRenderer renderer(s.scene, s.analysis);
+    constexpr int kSamples = 4000;
+    for (const auto& [x, y] : {std::pair{32, 55}, {20, 60}, {40, 52}}) {
+        Vector3f sum = Vector3f::Zero();
+        for (std::uint32_t i = 0; i < kSamples; ++i) sum += renderer.pathRadiance(x, y, i);
+        // Visible wall: |x| < wallZ/2, -wallZ/2 < y < floorY; its radiance integrated over the floor's hemisphere.
+        const Vector3f p = s.analysis->front->position(x, y);
+        double form = 0;
+        constexpr int kGrid = 500;
+        for (int i = 0; i < kGrid; ++i)
+            for (int j = 0; j < kGrid; ++j) {
+                const double wx = -1 + 2 * (i + 0.5) / kGrid;
+                const double wy = -1 + 1.5 * (j + 0.5) / kGrid;
+                const Eigen::Vector3d d(wx - p.x(), wy - p.y(), wallZ - p.z());
+                const double r2 = d.squaredNorm();
+                form += -d.y() * d.z() / (r2 * r2) / M_PI * (2.0 / kGrid) * (1.5 / kGrid);
+            }
+        const double hits = form * kSamples;
+        const double tolerance = 4.5 * std::sqrt(hits) / kSamples + 0.01 * form;
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(static_cast<double>(sum[c]) / kSamples, 0.5 * (1 << c) * form, 0.5 * (1 << c) * tolerance)
+                << x << " " << y;
+    }
+}
+
+/// Two facing slabs cannot be photographed, so: a mirror sphere before a wall, looked at from the camera side only.
+TEST(ReferenceRenderer, PathsEndAtUneditedAndGoOnAtEditedAndGlossySegments) {
+    const Camera camera = squareCamera(64, 64);
+    AnalyticScene s(camera, [&](const Vector3f& ray) {
+        AnalyticHit hit;
+        const float z = ray.y() > 0 ? 0.5f / ray.y() : 1e9f;
+        if (z < 2) {
+            hit = {.front = z, .back = z * 1.01f, .frontNormal = {0, -1, 0}, .backNormal = {0, 1, 0}, .label = 1};
+        } else {
+            hit = {.front = 2, .back = 2.05f, .label = 2, .color = {8, 8, 8}};
+        }
+        return hit;
+    });
+    s.setEnvironment([](const Vector3f&) { return Vector3f(1, 1, 1); });
+    s.edit(1, "lambert");
+    const auto floorRadiance = [&] {
+        const ReferenceRenderer renderer(s.scene, s.analysis);
+        float sum = 0;
+        for (std::uint32_t i = 0; i < 2000; ++i) sum += renderer.pathRadiance(32, 50, i).x() / 2000;
+        return sum;
+    };
+    const float unedited = floorRadiance();
+    EXPECT_GT(unedited, 1.5f) << "the wall's photograph colour, 8, reaches the floor";
+    s.edit(2, "none");
+    const float black = floorRadiance();
+    EXPECT_LT(black, 1.0f) << "the wall became black: only the environment is left";
+    s.edit(2, "lambert");
+    EXPECT_NEAR(floorRadiance(), 1, 0.1) << "white everywhere under a white sky; walls end paths after four bounces";
+    s.scene.render.bounces = 1;
+    EXPECT_NEAR(floorRadiance(), unedited, 1e-4) << "one bounce, the paper: the wall shows its old colour";
+    s.scene.render.bounces = 4;
+    s.scene.findSegment(2)->edit.reset();
+    s.scene.findSegment(2)->glossy = true;
+    s.scene.findSegment(2)->reflectance = Vector3f(0, 0, 0);
+    EXPECT_NEAR(floorRadiance(), black, 1e-4) << "a glossy wall of reflectance zero is black as well";
+    s.scene.findSegment(2)->reflectance = Vector3f(1, 1, 1);
+    EXPECT_GT(floorRadiance(), black + 0.02f);
+    s.edit(2, "none").blendOriginal = 1;
+    EXPECT_NEAR(floorRadiance(), unedited, 1e-4) << "black plus all of the photograph is the photograph";
+}
+
+TEST(ReferenceTranslucency, FlatSlabInUniformLightReturnsTheDiffuseReflectance) {
+    AnalyticScene s(squareCamera(64, 64), test::slab(1, 2));
+    s.setEnvironment([](const Vector3f&) { return Vector3f(1, 1, 1); });
+    Translucency t;
+    t.sigmaSPrime = Vector3f(0.04f, 0.035f, 0.03f);  // 1/mm, so that pixels of 16 mm resolve the profile
+    t.sigmaA = Vector3f(0.004f, 0.007f, 0.01f);
+    t.eta = 1;
+    s.edit(1, "none").translucency = t;
+    const ReferenceRenderer renderer(s.scene, s.analysis);
+    const SurfaceSamples samples = sampleSurface(*s.analysis, s.scene.photo->labels, 1, 20000, 3);
+    const std::vector<Vector3f> light(samples.samples.size(), Vector3f::Constant(static_cast<float>(M_PI)));
+    const ImageRgb b = renderer.translucentRadiosity(samples, light, 1, dipoleFromTranslucency(t));
+    Vector3f sum = Vector3f::Zero();
+    for (int y = 28; y < 36; ++y)
+        for (int x = 28; x < 36; ++x) sum += b(x, y) / 64;
+    const Vector3f expected = diffuseReflectance(t);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], expected[c], 0.02f * expected[c]) << c;
+}
+
+TEST(ReferenceTranslucency, SphereInUniformLightMatchesTheIntegral) {
+    // On a sphere of radius R the area within chord r is πr², so the light leaving any point under uniform light is
+    // ∫₀^2R R_d(r) 2πr dr exactly. Front and back both count: this pins the area factor (docs/deviations.md).
+    const float radius = 0.1f;
+    AnalyticScene s(squareCamera(96, 450), test::sphere(radius, 1.2f, Vector3f(1, 1, 1)));
+    s.setEnvironment([](const Vector3f&) { return Vector3f(1, 1, 1); });
+    Translucency t;
+    t.sigmaSPrime = Vector3f(0.2f, 0.1f, 0.05f);
+    t.sigmaA = Vector3f(0.002f, 0.0f, 0.001f);
+    t.eta = 1;
+    s.edit(1, "none").translucency = t;
+    s.scene.render.surfaceSamples = 10000;
+    s.scene.render.irradianceSamples = 4;
+    const kernel::DipoleParams dipole = dipoleFromTranslucency(t);
+    const SurfaceSamples samples = sampleSurface(*s.analysis, s.scene.photo->labels, 1, 10000, 3);
+    // The camera sees a little less than half of the sphere and the back layer is the rest of it.
+    EXPECT_NEAR(samples.area, 4 * M_PI * radius * radius, 0.02 * 4 * M_PI * radius * radius);
+
+    const ReferenceRenderer renderer(s.scene, s.analysis);
+    const ImageRgb result = renderer.translucency();
+    Eigen::Vector3d expected = Eigen::Vector3d::Zero();
+    constexpr int kSteps = 20000;
+    for (int i = 0; i < kSteps; ++i) {
+        const double r = 2.0 * radius * (i + 0.5) / kSteps;
+        const kernel::vec3 rd = kernel::dipole_rd(dipole, static_cast<float>(r * r));
+        expected += Eigen::Vector3d(rd.x, rd.y, rd.z) * (2 * M_PI * r * 2 * radius / kSteps);
+    }
+    Vector3f sum = Vector3f::Zero();
+    for (int y = 40; y < 56; ++y)
+        for (int x = 40; x < 56; ++x) sum += result(x, y) / 256;
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(sum[c], expected[c], 0.03 * expected[c]) << c;
+        EXPECT_LT(sum[c], 1.0f) << "never brighter than white Lambert";
+    }
+}
+
+TEST(ReferenceTranslucency, FresnelBoundaryDimsLightOnBothWays) {
+    AnalyticScene s(squareCamera(64, 64), test::slab(1, 2));
+    s.setEnvironment([](const Vector3f&) { return Vector3f(1, 1, 1); });
+    s.edit(1, "none");
+    const ReferenceRenderer renderer(s.scene, s.analysis);
+    const SurfaceSamples samples = sampleSurface(*s.analysis, s.scene.photo->labels, 1, 50, 3);
+    const std::vector<Vector3f> matched = renderer.irradiance(samples, 1, 1.0f, 400);
+    const std::vector<Vector3f> boundary = renderer.irradiance(samples, 1, 1.3f, 400);
+    double sum = 0;
+    for (std::size_t i = 0; i < matched.size(); ++i) {
+        EXPECT_NEAR(matched[i].x(), M_PI, 1e-3);
+        sum += static_cast<double>(boundary[i].x()) / static_cast<double>(matched.size());
+    }
+    // Mean transmission of diffuse light into the medium, by reciprocity from the inside value.
+    EXPECT_NEAR(sum, M_PI * 1.69 * (1 - internalDiffuseFresnel(1.3)), 0.01);
+}
+
+}  // namespace
+}  // namespace core
