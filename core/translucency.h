@@ -31,7 +31,7 @@ struct TranslucencyPreset {
 [[nodiscard]] Translucency toTranslucency(const TranslucencyPreset& preset);
 
 /// Coefficients that give a thick slab the diffuse reflectance `color` (each channel in [0, 1], clamped to what the
-/// dipole can reach) and the light a mean free path 1/σtr of `meanFreePathMm` [mm, > 0] (inverts eq. 15 of [JB02]).
+/// dipole can reach) and the light a mean free path 1/σtr of `meanFreePathMm` [mm, > 0] (inverts `diffuseReflectance`).
 [[nodiscard]] Translucency translucencyFromDiffuse(const Vector3f& color, const Vector3f& meanFreePathMm, float eta);
 
 /// Dipole in 1/m for lengths in the photograph's metres; `scale` is applied here. Coefficients that no medium has

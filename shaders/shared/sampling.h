@@ -14,7 +14,7 @@ KERNEL_FN vec3 sample_cosine_hemisphere(vec2 u) {
     return vec3(r * cos(phi), r * sin(phi), sqrt(max(1.0f - u.x, 1e-12f)));
 }
 
-/// First tangent of a frame around unit `n`, without a branch on its length [DBK17]. The second is `frame_v`.
+/// First tangent of a frame around unit `n`, without a branch on its length [DBC+17]. The second is `frame_v`.
 KERNEL_FN vec3 frame_u(vec3 n) {
     float s = n.z >= 0.0f ? 1.0f : -1.0f;
     float a = -1.0f / (s + n.z);
