@@ -20,6 +20,35 @@ float slopeLimit(std::optional<float> left, std::optional<float> right, float fl
     return std::min(high, 3 * low) + floor;
 }
 
+/// value + slope·s.
+struct Linear {
+    double value, slope;
+    [[nodiscard]] double at(double s) const { return value + slope * s; }
+
+    /// Cuts [a, b] to where this is ≥ 0, given that only s in [s0, s1] matters; a > b when it is nowhere. True when that
+    /// moved the beginning.
+    bool clip(double s0, double s1, double& a, double& b) const {
+        const double first = at(s0);
+        if (slope >= 0 && first >= 0) return false;
+        if (slope < 0) {
+            if (first < 0) {
+                b = -kInfinity;
+            } else if (s1 == kInfinity || at(s1) < 0) {
+                b = std::min(b, -value / slope);
+            }
+            return false;
+        }
+        if (slope == 0 || (s1 != kInfinity && at(s1) < 0)) {
+            b = -kInfinity;
+            return false;
+        }
+        const double root = -value / slope;
+        if (root <= a) return false;
+        a = root;
+        return true;
+    }
+};
+
 struct LayerBuilder {
     const Camera& camera;
     const LabelImage& labels;
@@ -70,6 +99,8 @@ DepthLayers buildDepthLayers(const Camera& camera, const LabelImage& labels, con
     layers.front = Image<DepthLayers::Patch>(labels.width(), labels.height());
     layers.back = Image<DepthLayers::Patch>(labels.width(), labels.height());
     const LayerBuilder builder{camera, labels};
+    layers.minW = std::numeric_limits<float>::infinity();
+    layers.maxW = 0;
     for (int y = 0; y < labels.height(); ++y) {
         for (int x = 0; x < labels.width(); ++x) {
             DepthLayers::Patch near = builder.patch(front, x, y);
@@ -92,6 +123,11 @@ DepthLayers buildDepthLayers(const Camera& camera, const LabelImage& labels, con
             }
             layers.front(x, y) = near;
             layers.back(x, y) = far;
+            // The float sums of the march may round a corner outwards.
+            const float above = near.w + 0.5f * (std::abs(near.gu) + std::abs(near.gv));
+            const float below = far.w - 0.5f * (std::abs(far.gu) + std::abs(far.gv));
+            layers.maxW = std::max(layers.maxW, above * (1 + 1e-5f));
+            layers.minW = std::min(layers.minW, below * (1 - 1e-5f));
         }
     }
     return layers;
@@ -125,6 +161,8 @@ std::optional<MarchHit> march(const DepthLayers& layers, const Vector3f& origin,
         begin = std::max(begin, std::min(a, b));
         end = std::min(end, std::max(a, b));
     };
+    if (slopeW > 0) end = std::min(end, (layers.maxW - w0) / slopeW);
+    if (slopeW < 0) end = std::min(end, (layers.minW - w0) / slopeW);
     clip(u0, slopeU, width);
     clip(v0, slopeV, height);
     if (!(begin <= end)) return std::nullopt;
@@ -133,52 +171,36 @@ std::optional<MarchHit> march(const DepthLayers& layers, const Vector3f& origin,
     int y = std::clamp(static_cast<int>(std::floor(v0 + slopeV * begin)), 0, height - 1);
     const int stepX = slopeU > 0 ? 1 : -1;
     const int stepY = slopeV > 0 ? 1 : -1;
-    const auto boundary = [](double start, double slope, int cell) {
-        if (slope == 0) return kInfinity;
-        return ((slope > 0 ? cell + 1 : cell) - start) / slope;
-    };
+    const double inverseU = slopeU != 0 ? 1 / slopeU : 0;
+    const double inverseV = slopeV != 0 ? 1 / slopeV : 0;
 
     bool escaping = begin <= 0;
     double s0 = begin;
     while (true) {
-        const double nextU = boundary(u0, slopeU, x);
-        const double nextV = boundary(v0, slopeV, y);
+        const double nextU = slopeU != 0 ? ((slopeU > 0 ? x + 1 : x) - u0) * inverseU : kInfinity;
+        const double nextV = slopeV != 0 ? ((slopeV > 0 ? y + 1 : y) - v0) * inverseV : kInfinity;
         const double s1 = std::max(s0, std::min({nextU, nextV, end}));
 
         const DepthLayers::Patch& front = layers.front(x, y);
         bool leavesInside = false;
         if (front.w > 0) {
             const DepthLayers::Patch& back = layers.back(x, y);
-            // f(s) = front − w ≥ 0 and g(s) = w − back ≥ 0, each fs + fd·s.
             const double du = u0 - (x + 0.5);
             const double dv = v0 - (y + 0.5);
-            const double f0 = front.w + front.gu * du + front.gv * dv - w0;
-            const double fd = front.gu * slopeU + front.gv * slopeV - slopeW;
-            const double g0 = w0 - (back.w + back.gu * du + back.gv * dv);
-            const double gd = slopeW - (back.gu * slopeU + back.gv * slopeV);
+            // Room below the front and above the back plane: linear in s, the solid is where both are ≥ 0.
+            const Linear room{front.w + front.gu * du + front.gv * dv - w0,
+                              front.gu * slopeU + front.gv * slopeV - slopeW};
+            const Linear depth{w0 - (back.w + back.gu * du + back.gv * dv),
+                               slopeW - (back.gu * slopeU + back.gv * slopeV)};
             double a = s0;
             double b = s1;
-            bool throughBack = false;
-            bool empty = false;
-            const auto cut = [&](double value, double slope, bool isBack) {
-                if (slope == 0) {
-                    empty = empty || value < 0;
-                } else if (const double root = -value / slope; slope > 0) {
-                    if (root > a) {
-                        a = root;
-                        throughBack = isBack;
-                    }
-                } else {
-                    b = std::min(b, root);
-                }
-            };
-            cut(f0, fd, false);
-            cut(g0, gd, true);
-            if (!empty && a <= b) {
-                if (!(escaping && a <= s0)) {
-                    const double w = w0 + slopeW * a;
-                    if (a <= s0) throughBack = f0 + fd * a > g0 + gd * a;
-                    return MarchHit{x, y, throughBack, static_cast<float>(a / w)};
+            const bool throughFront = room.clip(s0, s1, a, b);
+            const bool throughBack = depth.clip(s0, s1, a, b);
+            if (a <= b) {
+                if (!escaping || a > s0) {
+                    const bool sideWall = !throughFront && !throughBack;
+                    const bool isBack = sideWall ? room.at(a) > depth.at(a) : throughBack;
+                    return MarchHit{x, y, isBack, static_cast<float>(a / (w0 + slopeW * a))};
                 }
                 leavesInside = b >= s1;
             }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "core/analysis.h"
@@ -25,6 +26,9 @@ struct DepthLayers {
     Image<Patch> front;  ///< nearer side, larger w
     Image<Patch> back;   ///< farther side; at all four corners of the pixel 0 < back ≤ front
     LabelImage labels;
+    /// All solids lie in [minW, maxW] [1/m]; a ray that has left it for good needs no further pixels.
+    float minW = 0;
+    float maxW = std::numeric_limits<float>::infinity();
 };
 
 /// Builds the layers from the analysed surfaces. Slopes follow the normals, limited to the differences to the valid

@@ -17,6 +17,7 @@ constexpr const char* kName = "Back side";
 constexpr float kUnlabelledThickness = 0.1f;  ///< of the distance
 constexpr std::size_t kMinMirrorPoints = 16;
 constexpr float kMaxMirrorError = 0.6f;
+constexpr double kSilhouetteQuantile = 0.8;
 constexpr float kMinMirrorCover = 0.2f;
 
 struct Pixel {
@@ -166,7 +167,7 @@ float parallelPlaneDepth(const LabelImage& labels, const Surface& front, std::ui
             edge = edge || !labels.contains(x + dx, y + dy) || labels(x + dx, y + dy) != label;
         if (edge) silhouette.push_back(front.depth(x, y));
     }
-    const auto rank = static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(silhouette.size() - 1));
+    const auto rank = static_cast<std::ptrdiff_t>(kSilhouetteQuantile * static_cast<double>(silhouette.size() - 1));
     std::nth_element(silhouette.begin(), silhouette.begin() + rank, silhouette.end());
     return silhouette[static_cast<std::size_t>(rank)];
 }
@@ -236,8 +237,9 @@ std::optional<Vector3f> mirrorAxis(std::span<const Vector3f> points) {
     return (axis.z() < 0 ? -axis : axis).cast<float>();
 }
 
-MirrorPlane fitMirrorPlane(const Camera& camera, const LabelImage& labels, std::uint16_t label,
-                           std::span<const Vector3f> points, const Vector3f& axis) {
+MirrorPlane fitMirrorPlane(const Camera& camera, const LabelImage& labels, const ImageF& depth,
+                           const std::vector<bool>& supports, std::uint16_t label, std::span<const Vector3f> points,
+                           const Vector3f& axis) {
     CORE_ASSERT(!points.empty(), "points to mirror");
     const std::size_t stride = points.size() / 20000 + 1;
     float nearest = std::numeric_limits<float>::max();
@@ -264,7 +266,12 @@ MirrorPlane fitMirrorPlane(const Camera& camera, const LabelImage& labels, std::
                 const Vector2f uv = camera.project(mirrored);
                 const auto x = static_cast<int>(std::floor(std::clamp(uv.x(), -1.0f, 1e6f)));
                 const auto y = static_cast<int>(std::floor(std::clamp(uv.y(), -1.0f, 1e6f)));
-                inside = labels.contains(x, y) && labels(x, y) == label;
+                if (labels.contains(x, y)) {
+                    const std::uint16_t there = labels(x, y);
+                    const bool hidden =
+                        there != 0 && !supports[there] && depth(x, y) > 0 && depth(x, y) < points[i].z();
+                    inside = there == label || hidden;
+                }
             }
             if (!inside) ++outside;
         }
@@ -290,25 +297,35 @@ MirrorPlane fitMirrorPlane(const Camera& camera, const LabelImage& labels, std::
     return best;
 }
 
-bool isSupport(const LabelImage& labels, std::uint16_t label) {
-    std::size_t outline = 0;
-    std::array<std::size_t, 4> sides{};
+std::vector<bool> findSupports(const LabelImage& labels) {
+    struct Outline {
+        std::size_t length = 0;
+        std::array<std::size_t, 4> sides{};
+    };
+    std::vector<Outline> outlines(65536);
     const int width = labels.width();
     const int height = labels.height();
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            if (labels(x, y) != label) continue;
+            const std::uint16_t label = labels(x, y);
+            if (label == 0) continue;
             const std::array<bool, 4> border{x == 0, x == width - 1, y == 0, y == height - 1};
             const std::array<std::array<int, 2>, 4> neighbors{{{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}};
             for (std::size_t k = 0; k < 4; ++k) {
-                if (border[k]) ++sides[k];
-                if (border[k] || labels(neighbors[k][0], neighbors[k][1]) != label) ++outline;
+                if (border[k]) ++outlines[label].sides[k];
+                if (border[k] || labels(neighbors[k][0], neighbors[k][1]) != label) ++outlines[label].length;
             }
         }
     }
-    const std::size_t touching = sides[0] + sides[1] + sides[2] + sides[3];
-    const bool opposite = (sides[0] > 0 && sides[1] > 0) || (sides[2] > 0 && sides[3] > 0);
-    return touching * 5 >= outline * 2 ? touching > 0 : opposite && touching * 10 >= outline;
+    std::vector<bool> supports(outlines.size(), false);
+    for (std::size_t label = 1; label < outlines.size(); ++label) {
+        const auto& [length, sides] = outlines[label];
+        const std::size_t touching = sides[0] + sides[1] + sides[2] + sides[3];
+        const bool opposite = (sides[0] > 0 && sides[1] > 0) || (sides[2] > 0 && sides[3] > 0);
+        supports[label] =
+            touching > 0 && (touching * 5 >= length * 2 || (opposite && touching * 10 >= length));
+    }
+    return supports;
 }
 
 BackLayer inventBackSide(const Camera& camera, const LabelImage& labels, const Surface& front,
@@ -322,6 +339,7 @@ BackLayer inventBackSide(const Camera& camera, const LabelImage& labels, const S
     back.color = front.color;
     ImageV3 mirroredNormals(width, height, Vector3f::Zero());
 
+    const std::vector<bool> supports = findSupports(labels);
     std::vector<std::vector<Pixel>> pixelsOf(65536);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
@@ -345,14 +363,14 @@ BackLayer inventBackSide(const Camera& camera, const LabelImage& labels, const S
             points.reserve(pixels.size());
             for (const auto& [x, y] : pixels) points.push_back(front.position(x, y));
             std::optional<MirrorPlane> plane;
-            if (isSupport(labels, value)) {
+            if (supports[label]) {
                 info.note = "It runs out of the picture like a table or a wall, so it is a slab of constant thickness.";
             } else if (points.size() < kMinMirrorPoints) {
                 info.note = "It has too few pixels with depth for a mirror plane.";
             } else if (params.method == BackSideMethod::ParallelMirror) {
                 plane = MirrorPlane{{0, 0, 1}, parallelPlaneDepth(labels, front, value, pixels), 0};
             } else if (const auto axis = mirrorAxis(points)) {
-                plane = fitMirrorPlane(camera, labels, value, points, *axis);
+                plane = fitMirrorPlane(camera, labels, front.depth, supports, value, points, *axis);
                 info.mirrorError = plane->error;
                 if (plane->error > kMaxMirrorError) {
                     info.note = "No mirror plane keeps most of it inside its silhouette.";

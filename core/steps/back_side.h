@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/steps/step.h"
 
@@ -25,19 +26,21 @@ struct MirrorPlane {
 
 /// Moves the plane along `axis`, from the farthest point towards the nearest, by bisection to where E = max(C, O) is
 /// least: C = fraction of points behind the plane (falls with the offset), O = fraction of the mirror images of the
-/// others that project outside the segment's silhouette (rises with it).
-[[nodiscard]] MirrorPlane fitMirrorPlane(const Camera& camera, const LabelImage& labels, std::uint16_t label,
+/// others that project outside the segment's silhouette (rises with it). An image that falls behind another thing, one
+/// nearer than the original point and no support, is not seen and does not count as outside.
+[[nodiscard]] MirrorPlane fitMirrorPlane(const Camera& camera, const LabelImage& labels, const ImageF& depth,
+                                         const std::vector<bool>& supports, std::uint16_t label,
                                          std::span<const Vector3f> points, const Vector3f& axis);
 
-/// Whether a segment is what things stand on or in front of (a table, a wall) rather than a thing: it runs out of the
+/// For every label, whether the segment is what things stand on or in front of (a table, a wall) rather than a thing: it runs out of the
 /// picture on opposite sides with at least a tenth of its outline, or with two fifths of it on any side. Nothing is
 /// known of its far end, so a mirror plane means nothing; it becomes a slab as thick as its `offset`.
-[[nodiscard]] bool isSupport(const LabelImage& labels, std::uint16_t label);
+[[nodiscard]] std::vector<bool> findSupports(const LabelImage& labels);
 
 /// Invents the back of everything with valid depth: z_back ≥ z_front + minThickness in every pixel.
 /// - Offset: the front, moved back by `offset` along the ray of its pixel.
-/// - ParallelMirror: the plane z = the farthest depth of the silhouette that belongs to the segment, where its visible
-///   half ends (98th percentile, against outliers).
+/// - ParallelMirror: the plane z = the 80th percentile of the depth along the segment's outline, where its visible half
+///   ends: the farthest point would double the depth of a box, the median cuts a sphere short.
 /// - PcaMirror: `mirrorAxis`, `fitMirrorPlane`.
 /// Mirror images keep normals and colours of their originals; what the image does not cover is closed smoothly from
 /// what it does. A mirror that cannot be made (few points, no axis, E > 0.6, an image covering less than a fifth) falls
