@@ -29,10 +29,14 @@ float DirectionalMap::texelSolidAngle(int y, int width, int height) {
 }
 
 Vector3f DirectionalMap::lookup(const Vector3f& d) const {
+    return lookupTexel(texelFromDirection(d, radiance.width(), radiance.height()));
+}
+
+Vector3f DirectionalMap::lookupTexel(const Vector2f& coordinates) const {
     if (empty()) return Vector3f::Zero();
     const int width = radiance.width();
     const int height = radiance.height();
-    const Vector2f texel = texelFromDirection(d, width, height) - Vector2f(0.5f, 0.5f);
+    const Vector2f texel = coordinates - Vector2f(0.5f, 0.5f);
     const float floorX = std::floor(texel.x());
     const float floorY = std::floor(texel.y());
     const float fx = texel.x() - floorX;

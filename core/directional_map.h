@@ -23,6 +23,8 @@ struct DirectionalMap {
     [[nodiscard]] static float texelSolidAngle(int y, int width, int height);
     /// Bilinear look-up, wrapping in U, clamped in V.
     [[nodiscard]] Vector3f lookup(const Vector3f& d) const;
+    /// The same at continuous texel coordinates, of any U.
+    [[nodiscard]] Vector3f lookupTexel(const Vector2f& texel) const;
     /// Solid-angle weighted mean radiance; with `minCoverage` > 0 only over texels with at least that coverage
     /// (zero when there is none).
     [[nodiscard]] Vector3f mean(float minCoverage = 0) const;

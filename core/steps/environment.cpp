@@ -46,12 +46,14 @@ DirectionalMap userEnvironment(const ImageRgb& image, float rotation, float scal
     const int height = std::clamp(image.height(), 1, kMaxUserRows);
     const int width = 2 * height;
     DirectionalMap map{ImageRgb(width, height), ImageF(width, height, 1.0f)};
-    const float shift = rotation / (2 * std::numbers::pi_v<float>);
+    const float turns = rotation / (2 * std::numbers::pi_v<float>);
+    const float shift = turns - std::floor(turns);
     // Bilinear samples spread over the texel: as many as source texels it spans.
     const auto samples = [](int source, int target) { return std::clamp((source + target - 1) / target, 1, 32); };
     const int countX = samples(image.width(), width);
     const int countY = samples(image.height(), height);
     const DirectionalMap source{image, {}};
+    const Vector2f size(static_cast<float>(image.width()), static_cast<float>(image.height()));
     parallelFor(context, kName, height, [&](int y) {
         for (int x = 0; x < width; ++x) {
             Vector3f sum = Vector3f::Zero();
@@ -64,7 +66,7 @@ DirectionalMap userEnvironment(const ImageRgb& image, float rotation, float scal
                     const float v =
                         (static_cast<float>(y) + (static_cast<float>(j) + 0.5f) / static_cast<float>(countY)) /
                         static_cast<float>(height);
-                    sum += source.lookup(DirectionalMap::directionFromTexel({u, v}, 1, 1));
+                    sum += source.lookupTexel(size.cwiseProduct(Vector2f(u, v)));
                 }
             }
             map.radiance(x, y) = scale / static_cast<float>(countX * countY) * sum;

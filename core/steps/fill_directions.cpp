@@ -10,7 +10,7 @@
 namespace core::steps {
 namespace {
 
-constexpr float kOpening = 0.35f;
+constexpr float kOpening = 0.2f;
 
 /// A group of observed texels.
 struct Node {

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reflectance (DESIGN 3.3) and environment (3.4) of ray-traced mirrors whose truth is known.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/pipeline.h"
+#include "core/steps/environment.h"
+#include "tests/support/ray_scene.h"
+
+namespace {
+
+using core::DirectionalMap;
+using core::Vector3f;
+using test::Vector3d;
+
+Vector3f texelDirection(int x, int y, const DirectionalMap& map) {
+    return DirectionalMap::directionFromTexel({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f},
+                                              map.radiance.width(), map.radiance.height());
+}
+
+struct MirrorSphere : testing::Test {
+    static void SetUpTestSuite() {
+        truth = test::stillLife(test::testCamera(320, 240));
+        scene = truth.scene();
+        scene.environment.height = 64;
+        core::AnalysisPipeline pipeline;
+        analysis = pipeline.run(scene);
+    }
+    static void TearDownTestSuite() { analysis.reset(); }
+    inline static test::RayScene truth;
+    inline static core::Scene scene;
+    inline static std::shared_ptr<const core::Analysis> analysis;
+};
+
+TEST_F(MirrorSphere, ReflectanceIsFound) {
+    ASSERT_EQ(analysis->reflectances.size(), 1u);
+    const core::Reflectance& r = *analysis->reflectances[0];
+    EXPECT_EQ(r.label, 2);
+    EXPECT_TRUE(r.reliable);
+    EXPECT_GT(r.commonSolidAngle, 0.5f);
+    EXPECT_NEAR(r.rho.x(), 0.9f, 0.03f);
+    EXPECT_NEAR(r.rho.y(), 0.6f, 0.02f);
+    EXPECT_NEAR(r.rho.z(), 0.3f, 0.01f);
+    EXPECT_EQ(analysis->findReflectance(2), &r);
+    EXPECT_EQ(analysis->findReflectance(1), nullptr);
+}
+
+TEST_F(MirrorSphere, ReflectedMapHoldsWhatTheSphereShows) {
+    // Directions above the floor: the sphere shows ρ times the environment there.
+    const DirectionalMap& map = analysis->reflectances[0]->reflected;
+    std::vector<float> errors;
+    for (int y = 0; y < 20; ++y) {
+        for (int x = 0; x < 128; ++x) {
+            if (map.coverage(x, y) <= 0) continue;
+            const Vector3f d = texelDirection(x, y, map);
+            const Vector3f expected = truth.environment(d.cast<double>()).cwiseProduct(Vector3f(0.9f, 0.6f, 0.3f));
+            errors.push_back((map.radiance(x, y) - expected).norm() / expected.norm());
+        }
+    }
+    ASSERT_GT(errors.size(), 300u);
+    std::ranges::sort(errors);
+    EXPECT_LT(errors[errors.size() / 2], 0.02f);
+    EXPECT_LT(errors[errors.size() * 9 / 10], 0.05f);
+}
+
+TEST_F(MirrorSphere, IncidentMapHoldsTheFloorAndTheBox) {
+    const DirectionalMap& map = analysis->reflectances[0]->incident;
+    const Vector3d center = Vector3d(0, 0.05, 1) - 0.12 * test::rotation(0.5, {1, 0, 0}).col(1) + Vector3d(-0.08, 0, 0);
+    int box = 0;
+    int agree = 0;
+    int count = 0;
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 128; ++x) {
+            if (map.coverage(x, y) <= 0) continue;
+            test::RayScene others = truth;
+            others.objects.erase(others.objects.begin() + 1);
+            const Vector3d d = texelDirection(x, y, map).cast<double>();
+            const auto hit = others.trace(center, d);
+            if (!hit) continue;
+            ++count;
+            if (hit->object->label == 3) ++box;
+            if ((map.radiance(x, y) - others.radiance(center, d)).norm() < 0.15f) ++agree;
+        }
+    }
+    EXPECT_GT(count, 1000);
+    EXPECT_GT(box, 20);
+    EXPECT_GT(agree, 0.85 * count);
+}
+
+TEST_F(MirrorSphere, EnvironmentIsTheTruthWhereItWasSeen) {
+    const DirectionalMap& map = *analysis->environment;
+    std::vector<float> errors;
+    double observed = 0;
+    for (int y = 0; y < map.radiance.height(); ++y) {
+        for (int x = 0; x < map.radiance.width(); ++x) {
+            ASSERT_TRUE(map.radiance(x, y).allFinite());
+            if (map.coverage(x, y) <= 0) continue;
+            // Below the floor's horizon a ray that leaves the picture may still meet the floor outside of it.
+            const Vector3d d = texelDirection(x, y, map).cast<double>();
+            if (d.dot(test::rotation(0.5, {1, 0, 0}).col(1)) > -0.1) continue;
+            observed += DirectionalMap::texelSolidAngle(y, map.radiance.width(), map.radiance.height());
+            const Vector3f expected = truth.environment(d);
+            errors.push_back((map.radiance(x, y) - expected).norm() / expected.norm());
+        }
+    }
+    EXPECT_GT(observed, 3);
+    std::ranges::sort(errors);
+    EXPECT_LT(errors[errors.size() / 2], 0.02f);
+    EXPECT_LT(errors[errors.size() * 95 / 100], 0.1f);
+}
+
+TEST_F(MirrorSphere, UsersReflectanceReplacesTheEstimate) {
+    core::Scene edited = scene;
+    edited.findSegment(2)->reflectance = Vector3f(0.45f, 0.3f, 0.15f);
+    core::AnalysisPipeline pipeline;
+    const auto result = pipeline.run(edited);
+    EXPECT_EQ(result->reflectances[0]->rho, Vector3f(0.45f, 0.3f, 0.15f));
+    // Half the reflectance means twice the light, where only the sphere saw it: straight up.
+    const Vector3f up(0, -1, 0);
+    EXPECT_NEAR(result->environment->lookup(up).x(), 2 * analysis->environment->lookup(up).x(),
+                0.1f * analysis->environment->lookup(up).x());
+}
+
+TEST(ReflectanceBadInput, SegmentsOfFewPixelsAndFlatColourGiveNumbers) {
+    const test::RayScene truth = test::stillLife(test::testCamera(80, 60));
+    core::Photo photo = truth.photograph();
+    for (Vector3f& c : photo.color.pixels()) c = Vector3f(0.4f, 0.4f, 0.4f);
+    for (std::size_t i = 0; i < photo.labels.size(); ++i)
+        if (photo.labels[i] != 0) photo.labels[i] = 1;
+    photo.labels(40, 30) = 5;
+    photo.labels(10, 40) = 6;
+    photo.labels(11, 40) = 6;
+    photo.depth(12, 40) = std::numeric_limits<float>::quiet_NaN();
+    photo.depth(13, 40) = -3;
+    core::Scene scene;
+    scene.photo = std::make_shared<core::Photo>(std::move(photo));
+    core::addMissingSegments(scene);
+    for (core::Segment& segment : scene.segments) segment.glossy = true;
+    core::Segment absent;
+    absent.label = 900;
+    absent.name = "absent";
+    absent.glossy = true;
+    scene.segments.push_back(absent);
+    scene.environment.height = 16;
+    core::AnalysisPipeline pipeline;
+    const auto analysis = pipeline.run(scene);
+    ASSERT_EQ(analysis->reflectances.size(), 4u);
+    for (const auto& r : analysis->reflectances) {
+        EXPECT_TRUE(r->rho.allFinite());
+        EXPECT_GE(r->rho.minCoeff(), 0.02f);
+        EXPECT_LE(r->rho.maxCoeff(), 1.0f);
+    }
+    EXPECT_FALSE(analysis->reflectances[3]->reliable);
+    for (const Vector3f& c : analysis->environment->radiance.pixels()) EXPECT_TRUE(c.allFinite());
+}
+
+TEST(Environment, WithoutAnyEvidenceItIsTheMeanOfThePhoto) {
+    test::RayScene wall;
+    wall.camera = test::testCamera(40, 30);
+    wall.objects.push_back({1, std::make_shared<test::Box>(Vector3d(0, 0, 2), Vector3d(9, 9, 0.1)),
+                            [](const Vector3d& p) { return p.x() < 0 ? Vector3f(1, 0, 0) : Vector3f(0, 1, 0); }});
+    core::AnalysisPipeline pipeline;
+    const auto analysis = pipeline.run(wall.scene());
+    for (const Vector3f& c : analysis->environment->radiance.pixels())
+        EXPECT_TRUE(c.isApprox(Vector3f(0.5f, 0.5f, 0), 1e-3f));
+    for (const float count : analysis->environment->coverage.pixels()) EXPECT_EQ(count, 0);
+}
+
+TEST(Environment, DistantPixelsAreSeenAtTheirDirections) {
+    test::RayScene truth = test::stillLife(test::testCamera(160, 120));
+    for (test::SceneObject& object : truth.objects) object.mirror = false;
+    core::AnalysisPipeline pipeline;
+    const auto analysis = pipeline.run(truth.scene());
+    const core::Photo photo = truth.photograph();
+    int distant = 0;
+    truth.forEachPixel([&](int x, int y, const Vector3d& ray) {
+        if (y > 4 || photo.depth(x, y) > 0) return;
+        ++distant;
+        const Vector3f seen = analysis->environment->lookup(ray.normalized().cast<float>());
+        EXPECT_LT((seen - truth.environment(ray.normalized())).norm(), 0.05f);
+    });
+    EXPECT_GT(distant, 300);
+}
+
+TEST(UserEnvironment, TurnsScalesAndCoversEverything) {
+    core::ImageRgb image(64, 32);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x) image(x, y) = Vector3f(static_cast<float>(x), static_cast<float>(y), 1);
+    const DirectionalMap map = core::steps::userEnvironment(image, 2 * 3.14159265f / 4, 2, {});
+    EXPECT_EQ(map.radiance.width(), 64);
+    for (const float c : map.coverage.pixels()) EXPECT_EQ(c, 1);
+    // A quarter turn to the right: what was in front is on the right now.
+    EXPECT_NEAR(map.radiance(32 + 16, 10).x(), 2 * 32, 0.1f);
+    EXPECT_NEAR(map.radiance(20, 10).y(), 2 * 10, 0.1f);
+    EXPECT_NEAR(map.radiance(20, 10).z(), 2, 1e-3f);
+}
+
+TEST(UserEnvironment, LargeAndOddSizesKeepTheirMean) {
+    core::ImageRgb image(3000, 1100, Vector3f(0.2f, 0.4f, 0.8f));
+    const DirectionalMap map = core::steps::userEnvironment(image, 0.3f, 1, {});
+    EXPECT_EQ(map.radiance.height(), 1024);
+    EXPECT_EQ(map.radiance.width(), 2048);
+    EXPECT_TRUE(map.mean().isApprox(Vector3f(0.2f, 0.4f, 0.8f), 1e-4f));
+}
+
+}  // namespace
