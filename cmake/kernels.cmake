@@ -1,30 +1,41 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # patina_kernels(TARGET FILE...): compiles each GLSL file to SPIR-V and embeds it as `const uint32_t <stem>_spv[]`,
 # included as "kernels/<stem>.h". Headers a kernel includes are tracked, so editing one rebuilds both sides.
+# Stems are unique over all targets.
 find_program(GLSLANG glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
 function(patina_kernels target)
-  set(headers)
+  set(embedded)
+  set(spv_dir ${CMAKE_BINARY_DIR}/kernels/spv)
+  set(include_dir ${CMAKE_BINARY_DIR}/kernels/include)
+  file(MAKE_DIRECTORY ${spv_dir} ${include_dir}/kernels)
   foreach(file ${ARGN})
     get_filename_component(stem ${file} NAME_WE)
     get_filename_component(source ${file} ABSOLUTE)
-    set(spv ${CMAKE_BINARY_DIR}/kernels/spv/${stem}.spv)
-    set(header ${CMAKE_BINARY_DIR}/kernels/include/kernels/${stem}.h)
-    file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/kernels/spv ${CMAKE_BINARY_DIR}/kernels/include/kernels)
+    get_property(stems GLOBAL PROPERTY PATINA_KERNEL_STEMS)
+    if(stem IN_LIST stems)
+      message(FATAL_ERROR "Two kernels are called ${stem}; the second is ${source}.")
+    endif()
+    set_property(GLOBAL APPEND PROPERTY PATINA_KERNEL_STEMS ${stem})
+    set(spv ${spv_dir}/${stem}.spv)
+    set(words ${spv_dir}/${stem}.words)
     add_custom_command(
-      OUTPUT ${header} ${spv}
+      OUTPUT ${words} ${spv}
       COMMAND ${GLSLANG} --quiet -V --target-env vulkan1.1 -g -I${PROJECT_SOURCE_DIR} --depfile ${spv}.d -o ${spv} ${source}
       COMMAND ${SPIRV_VAL} --target-env vulkan1.1 ${spv}
-      COMMAND ${GLSLANG} --quiet -V --target-env vulkan1.1 -g -I${PROJECT_SOURCE_DIR} --vn ${stem}_spv -o ${header} ${source}
+      COMMAND ${GLSLANG} --quiet -V --target-env vulkan1.1 -g -I${PROJECT_SOURCE_DIR} --vn ${stem}_spv -o ${words} ${source}
       DEPENDS ${source}
       DEPFILE ${spv}.d
       COMMENT "Kernel ${stem}"
       VERBATIM)
-    list(APPEND headers ${header})
+    # What glslang writes has neither guard nor include of its own.
+    file(CONFIGURE OUTPUT ${include_dir}/kernels/${stem}.h
+      CONTENT "#pragma once\n\n#include <stdint.h>\n\n#include \"../../spv/${stem}.words\"\n")
+    list(APPEND embedded ${words})
   endforeach()
-  add_custom_target(${target}_spirv DEPENDS ${headers})
+  add_custom_target(${target}_spirv DEPENDS ${embedded})
   add_library(${target} INTERFACE)
   add_dependencies(${target} ${target}_spirv)
-  target_include_directories(${target} INTERFACE ${CMAKE_BINARY_DIR}/kernels/include)
+  target_include_directories(${target} INTERFACE ${include_dir})
 endfunction()
