@@ -62,17 +62,19 @@ void BufferImpl::createMemory(bool staging) {
         device().check(vkMapMemory(device().vk(), allocation_.memory, 0, VK_WHOLE_SIZE, 0, &data), "vkMapMemory",
                        label());
         host_ = static_cast<std::byte*>(data);
-        if (!staging) {
-            std::memset(host_, 0, static_cast<std::size_t>(info.size));
-            flushHostWrites();
-        }
-    } else {
-        CommandBufferImpl& writes = device().pendingWrites();
-        writes.keep(*this);
-        writes.use(*this, kCopyWrite);
-        writes.barrier();
-        vkCmdFillBuffer(writes.vk, vk, 0, VK_WHOLE_SIZE, 0);
     }
+}
+
+void BufferImpl::zero() {
+    if (host_ != nullptr) {
+        std::memset(host_, 0, static_cast<std::size_t>(size));
+        flushHostWrites();
+        return;
+    }
+    CommandBufferImpl& writes = device().pendingWrites();
+    writes.use(*this, kCopyWrite);
+    writes.barrier();
+    vkCmdFillBuffer(writes.vk, vk, 0, VK_WHOLE_SIZE, 0);
 }
 
 void BufferImpl::release() noexcept {

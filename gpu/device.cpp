@@ -78,13 +78,18 @@ Device Device::adopt(const AdoptDescriptor& descriptor) {
 Buffer Device::createBuffer(const BufferDescriptor& descriptor) const {
     return deviceOf(impl_).guarded([&] {
         auto buffer = std::make_shared<detail::BufferImpl>(*impl_, descriptor, false);
+        buffer->zero();
         if (descriptor.mappedAtCreation) buffer->startMappedAtCreation();
         return Buffer(detail::makeHandle(impl_, std::move(buffer)));
     });
 }
 
 Texture Device::createTexture(const TextureDescriptor& descriptor) const {
-    return create<Texture, detail::TextureImpl>(impl_, descriptor);
+    return deviceOf(impl_).guarded([&] {
+        auto texture = std::make_shared<detail::TextureImpl>(*impl_, descriptor);
+        texture->zero();
+        return Texture(detail::makeHandle(impl_, std::move(texture)));
+    });
 }
 
 Sampler Device::createSampler(const SamplerDescriptor& descriptor) const {

@@ -86,27 +86,28 @@ TextureImpl::TextureImpl(DeviceImpl& owner, const TextureDescriptor& descriptor)
             requirements, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, true,
             text("texture ", quoted(label()), " (", size.width, "x", size.height, ", ", toString(format), ")"));
         owner.check(vkBindImageMemory(owner.vk(), vk, allocation_.memory, 0), "vkBindImageMemory", label());
-
-        CommandBufferImpl& writes = owner.pendingWrites();
-        writes.keep(*this);
-        VkImageMemoryBarrier barrier = {};
-        barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
-        barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
-        barrier.oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
-        barrier.newLayout = VK_IMAGE_LAYOUT_GENERAL;
-        barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-        barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-        barrier.image = vk;
-        barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, mipLevelCount, 0, 1};
-        vkCmdPipelineBarrier(writes.vk, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0,
-                             nullptr, 0, nullptr, 1, &barrier);
-        for (std::uint32_t level = 0; level < mipLevelCount; ++level) writes.use(*this, level, kCopyWrite);
-        const VkClearColorValue zero = {};
-        vkCmdClearColorImage(writes.vk, vk, VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &barrier.subresourceRange);
     } catch (...) {
         release();
         throw;
     }
+}
+
+void TextureImpl::zero() {
+    CommandBufferImpl& writes = device().pendingWrites();
+    VkImageMemoryBarrier barrier = {};
+    barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
+    barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+    barrier.oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+    barrier.newLayout = VK_IMAGE_LAYOUT_GENERAL;
+    barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.image = vk;
+    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, mipLevelCount, 0, 1};
+    vkCmdPipelineBarrier(writes.vk, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr, 0,
+                         nullptr, 1, &barrier);
+    for (std::uint32_t level = 0; level < mipLevelCount; ++level) writes.use(*this, level, kCopyWrite);
+    const VkClearColorValue zero = {};
+    vkCmdClearColorImage(writes.vk, vk, VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &barrier.subresourceRange);
 }
 
 void TextureImpl::release() noexcept {

@@ -19,11 +19,13 @@ namespace gpu::detail {
 
 class BufferImpl final : public Object {
   public:
-    /// `staging` buffers are memory of the library: mapped, not zeroed, not counted.
+    /// `staging` buffers are memory of the library: mapped and not counted.
     BufferImpl(DeviceImpl& device, const BufferDescriptor& descriptor, bool staging);
     ~BufferImpl() override { release(); }
     void release() noexcept override;
 
+    /// Zeroes a new buffer before the next submission.
+    void zero();
     void startMappedAtCreation();
     void mapAsync(MapMode mode, std::uint64_t offset, std::uint64_t size, BufferMapCallback callback);
     void* mappedRange(std::uint64_t offset, std::uint64_t size, bool forWriting);
@@ -60,6 +62,8 @@ class TextureImpl final : public Object {
     ~TextureImpl() override { release(); }
     void release() noexcept override;
 
+    /// Brings a new texture into its layout and zeroes it before the next submission.
+    void zero();
     [[nodiscard]] std::uint32_t mipWidth(std::uint32_t level) const;
     [[nodiscard]] std::uint32_t mipHeight(std::uint32_t level) const;
 

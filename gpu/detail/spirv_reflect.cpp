@@ -38,6 +38,8 @@ enum Op : std::uint32_t {
     kOpSpecConstantFalse = 49,
     kOpSpecConstant = 50,
     kOpSpecConstantComposite = 51,
+    kOpFunction = 54,
+    kOpFunctionEnd = 56,
     kOpVariable = 59,
     kOpDecorate = 71,
     kOpMemberDecorate = 72,
@@ -134,6 +136,7 @@ class Parser {
             readInstruction(op, words_.subspan(at + 1, count - 1));
             at += count;
         }
+        requireModule(!insideFunction_, "is damaged: it ends inside a function");
     }
 
     void needs(std::span<const std::uint32_t> operands, std::size_t count) const {
@@ -191,6 +194,13 @@ class Parser {
             case kOpSpecConstantComposite:
                 needs(w, 2);
                 constants_[w[1]] = {op, w[0], {w.begin() + 2, w.end()}};
+                break;
+            case kOpFunction:
+                requireModule(!insideFunction_, "is damaged: a function begins inside another");
+                insideFunction_ = true;
+                break;
+            case kOpFunctionEnd:
+                insideFunction_ = false;
                 break;
             case kOpVariable:
                 needs(w, 3);
@@ -412,6 +422,7 @@ class Parser {
     const std::string& label_;
     Reflection result_;
     std::uint32_t entryPoints_ = 0;
+    bool insideFunction_ = false;
     std::unordered_map<std::uint32_t, std::string> names_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> memberNames_;
     std::map<std::uint32_t, Type> types_;
