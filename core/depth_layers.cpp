@@ -25,8 +25,8 @@ struct Linear {
     double value, slope;
     [[nodiscard]] double at(double s) const { return value + slope * s; }
 
-    /// Cuts [a, b] to where this is ≥ 0, given that only s in [s0, s1] matters; a > b when it is nowhere. True when that
-    /// moved the beginning.
+    /// Cuts [a, b] to where this is ≥ 0, given that only s in [s0, s1] matters; a > b when it is nowhere. True when
+    /// that moved the beginning.
     bool clip(double s0, double s1, double& a, double& b) const {
         const double first = at(s0);
         if (slope >= 0 && first >= 0) return false;

@@ -322,8 +322,7 @@ std::vector<bool> findSupports(const LabelImage& labels) {
         const auto& [length, sides] = outlines[label];
         const std::size_t touching = sides[0] + sides[1] + sides[2] + sides[3];
         const bool opposite = (sides[0] > 0 && sides[1] > 0) || (sides[2] > 0 && sides[3] > 0);
-        supports[label] =
-            touching > 0 && (touching * 5 >= length * 2 || (opposite && touching * 10 >= length));
+        supports[label] = touching > 0 && (touching * 5 >= length * 2 || (opposite && touching * 10 >= length));
     }
     return supports;
 }

@@ -32,9 +32,9 @@ struct MirrorPlane {
                                          const std::vector<bool>& supports, std::uint16_t label,
                                          std::span<const Vector3f> points, const Vector3f& axis);
 
-/// For every label, whether the segment is what things stand on or in front of (a table, a wall) rather than a thing: it runs out of the
-/// picture on opposite sides with at least a tenth of its outline, or with two fifths of it on any side. Nothing is
-/// known of its far end, so a mirror plane means nothing; it becomes a slab as thick as its `offset`.
+/// For every label, whether the segment is what things stand on or in front of (a table, a wall) rather than a thing:
+/// it runs out of the picture on opposite sides with at least a tenth of its outline, or with two fifths of it on any
+/// side. Nothing is known of its far end, so a mirror plane means nothing; it becomes a slab as thick as its `offset`.
 [[nodiscard]] std::vector<bool> findSupports(const LabelImage& labels);
 
 /// Invents the back of everything with valid depth: z_back ≥ z_front + minThickness in every pixel.
