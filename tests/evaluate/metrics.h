@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/image.h"
+
+namespace evaluate {
+
+/// How far a picture is from the truth, over the masked pixels only.
+struct Metrics {
+    double psnr = 0;       ///< [dB], of the display-encoded pictures (exposure, sRGB curve, clipped at 1)
+    double ssim = 0;       ///< of display-encoded luma, 11×11 Gaussian window (σ = 1.5), mean over the mask
+    double relMse = 0;     ///< of linear radiance: mean((x − t)² / (t² + 0.01·mean(t)²)), 0.1 % largest left out
+    double meanRatio = 0;  ///< mean linear radiance over the true one
+};
+
+/// Pixels with `label` whose four neighbours, `erosion` times over, have it too.
+[[nodiscard]] core::Image<std::uint8_t> erodedMask(const core::LabelImage& labels, std::uint16_t label, int erosion);
+
+/// Factor that puts the picture's 99th percentile of luminance at 1.
+[[nodiscard]] float displayExposure(const core::ImageRgb& picture);
+
+/// sRGB-encoded, clipped to [0, 1].
+[[nodiscard]] core::ImageRgb displayEncoded(const core::ImageRgb& linear, float exposure);
+
+[[nodiscard]] Metrics compare(const core::ImageRgb& picture, const core::ImageRgb& truth,
+                              const core::Image<std::uint8_t>& mask, float exposure);
+
+}  // namespace evaluate
