@@ -206,8 +206,7 @@ int main(int argc, char** argv) {
     const int samples = argc > 3 ? std::atoi(argv[3]) : 64;
     try {
         fs::create_directories(output);
-        const gpu::Device device =
-            gpu::Instance::create({.label = "evaluate"}).requestAdapter({}).requestDevice({.label = "evaluate"});
+        const gpu::Device device = gpu::Instance::create().requestAdapter({}).requestDevice({.label = "evaluate"});
         std::printf(
             "PSNR [dB], SSIM, relative MSE and mean radiance over truth, inside the edited segment eroded by one "
             "pixel;\n"
