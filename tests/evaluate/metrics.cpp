@@ -63,7 +63,7 @@ core::Image<std::uint8_t> erodedMask(const core::LabelImage& labels, std::uint16
         const auto before = mask;
         for (int y = 0; y < mask.height(); ++y) {
             for (int x = 0; x < mask.width(); ++x) {
-                for (const auto [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+                for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
                     if (!mask.contains(x + dx, y + dy) || before(x + dx, y + dy) == 0) mask(x, y) = 0;
                 }
             }
