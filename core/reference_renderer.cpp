@@ -235,7 +235,8 @@ ImageRgb ReferenceRenderer::translucency(const StepContext& context) const {
             sampleSurface(*analysis_, layers_->labels, segment.label, scene_.render.surfaceSamples, scene_.render.seed);
         const std::vector<Vector3f> light =
             irradiance(samples, segment.label, dipole.alphaPrime.w, scene_.render.irradianceSamples, context);
-        const ImageRgb radiosity = translucentRadiosity(samples, light, segment.label, dipole, context);
+        const ImageRgb radiosity =
+            translucentRadiosity(samples, light, segment.label, smoothedFor(samples, dipole), context);
         for (std::size_t i = 0; i < result.size(); ++i) {
             if (layers_->labels[i] != segment.label || !(front.depth[i] > 0)) continue;
             const kernel::vec3 wo = kernel::normalize(-toKernel(front.position[i]));

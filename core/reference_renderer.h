@@ -42,8 +42,8 @@ namespace core {
 // wi = sample_cosine_hemisphere(rng_vec2(i, j, 0, seed)) around the sample's normal with weight = F_t(wi.z) instead of
 // path_scatter; from then on the same loop. Ê = (π/N_rays) Σ radiance.
 //
-// Translucent radiance before the outgoing Fresnel factor: B(p) = (1/π)(Ã/|S|) Σ_i Ê_i R_d(|p − s_i|²) with dipole_rd;
-// L_t = F_t(max(n·wo, 0)) · B with n = shading_normal(n, wo).
+// Translucent radiance before the outgoing Fresnel factor: B(p) = (1/π)(Ã/|S|) Σ_i Ê_i R_d(|p − s_i|²) with dipole_rd
+// of the dipole smoothedFor(samples); L_t = F_t(max(n·wo, 0)) · B with n = shading_normal(n, wo).
 //
 // Composite, edited segments only: blendNew · (reshaded + weight · L_t) + blendOriginal · photo. All other pixels are
 // the photograph's, bit for bit.

@@ -200,4 +200,10 @@ SurfaceSamples sampleSurface(const Analysis& analysis, const LabelImage& labels,
     return result;
 }
 
+kernel::DipoleParams smoothedFor(const SurfaceSamples& samples, kernel::DipoleParams dipole) {
+    const auto count = static_cast<double>(samples.samples.size());
+    dipole.zr.w = count > 0 ? static_cast<float>(kSmoothingSamples * samples.area / count / M_PI) : 0.0f;
+    return dipole;
+}
+
 }  // namespace core

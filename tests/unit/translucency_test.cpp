@@ -48,6 +48,35 @@ TEST(Dipole, IntegralIsTheClosedFormForEveryPreset) {
         }
 }
 
+TEST(Dipole, SmoothingKeepsTheIntegralAndTheFarField) {
+    Translucency t = toTranslucency(*findTranslucencyPreset("skin1"));
+    const kernel::DipoleParams exact = dipoleFromTranslucency(t);
+    const Vector3f total = diffuseReflectance(t);
+    for (const float h : {1e-8f, 1e-6f, 1e-4f}) {
+        kernel::DipoleParams smooth = exact;
+        smooth.zr.w = h;
+        const Vector3f integral = integrateProfile(smooth);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(integral[c], total[c], 6e-3 * total[c]) << h;
+        const float far = 20 * h;
+        EXPECT_EQ(kernel::dipole_rd(smooth, far).x, kernel::dipole_rd(exact, far).x);
+        EXPECT_LE(kernel::dipole_rd(smooth, 0).x, 1 / (M_PI * h)) << "no more than all the light on the disc";
+        // The mean over r² ± h by brute force, on both sides of r² = h.
+        for (const float r2 : {0.3f * h, 3 * h}) {
+            double sum = 0;
+            for (int i = 0; i < 20000; ++i) {
+                const double q = std::abs(r2 + h * (2 * (i + 0.5) / 20000 - 1));
+                sum += static_cast<double>(kernel::dipole_rd(exact, static_cast<float>(q)).y) / 20000;
+            }
+            EXPECT_NEAR(kernel::dipole_rd(smooth, r2).y, sum, 5e-3 * sum) << h;
+        }
+    }
+    SurfaceSamples samples;
+    samples.samples.resize(800);
+    samples.area = M_PI;
+    EXPECT_NEAR(smoothedFor(samples, exact).zr.w, 0.01f, 1e-6f);
+    EXPECT_EQ(smoothedFor({}, exact).zr.w, 0);
+}
+
 TEST(Dipole, HandComputedNumbers) {
     Translucency t;
     t.sigmaSPrime = Vector3f(0.9f, 0.9f, 0.9f);  // 1/mm
