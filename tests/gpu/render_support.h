@@ -160,7 +160,7 @@ inline AnalyticScene makeRandomScene(int width, int height, unsigned seed) {
              0.01f + 0.1f * uniform(random), static_cast<std::uint16_t>(2 + i),
              Vector3f(uniform(random), uniform(random), uniform(random))});
     return makeAnalyticScene(width, height, spheres, 2.0f,
-                             [](const Vector3f& d) { return Vector3f(1.0f, 0.8f, 0.6f) * (1.2f - d.y()); });
+                             [](const Vector3f& d) -> Vector3f { return Vector3f(1.0f, 0.8f, 0.6f) * (1.2f - d.y()); });
 }
 
 }  // namespace testing_support

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/bench.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <random>
+
+#include "core/brdf.h"
+#include "core/depth_layers.h"
+#include "core/pipeline.h"
+#include "core/render/march_rays.h"
+#include "core/render/renderer.h"
+#include "core/render/scene_geometry.h"
+#include "core/translucency.h"
+#include "gpu/pass_timer.h"
+#include "shaders/shared/sampling.h"
+
+namespace render {
+namespace {
+
+/// Device time a frame of the window leaves to the renderer.
+constexpr double kFrameSeconds = 0.03;
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+struct Bench {
+    gpu::Device device;
+    const core::Scene& scene;
+    std::shared_ptr<const core::Analysis> analysis;
+    const core::StepContext& context;
+    std::vector<BenchResult> results;
+
+    void add(const char* name, const std::string& metric, double value, const char* unit) {
+        results.push_back({name, metric, value, unit});
+    }
+    void march();
+    void reshade();
+    void translucency();
+    void analyse();
+
+    [[nodiscard]] core::DepthLayers layers() const {
+        if (analysis->layers) return *analysis->layers;
+        return core::buildDepthLayers(scene.photo->camera, scene.photo->labels, *analysis->front, *analysis->back);
+    }
+    [[nodiscard]] std::vector<Ray> cosineRays(std::size_t count) const;
+    [[nodiscard]] core::Scene withEdit(const core::Material& material) const;
+    [[nodiscard]] double renderSeconds(Renderer& renderer, bool firstPictureOnly, double budgetSeconds) const;
+};
+
+/// Cosine-weighted rays from random visible surface points: what re-shading a matte picture would march.
+std::vector<Ray> Bench::cosineRays(std::size_t count) const {
+    const core::Surface& front = *analysis->front;
+    std::vector<std::size_t> visible;
+    for (std::size_t i = 0; i < front.depth.size(); ++i)
+        if (front.depth[i] > 0 && front.normal[i].squaredNorm() > 0.5f) visible.push_back(i);
+    if (visible.empty())
+        throw core::Error(core::ErrorKind::Input, "There is no valid depth in the picture, so no ray can be marched.");
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> uniform(0, 1);
+    std::vector<Ray> rays(count);
+    for (Ray& ray : rays) {
+        const std::size_t i = visible[random() % visible.size()];
+        const core::Vector3f& n = front.normal[i];
+        const kernel::vec3 d = kernel::from_local({n.x(), n.y(), n.z()},
+                                                  kernel::sample_cosine_hemisphere({uniform(random), uniform(random)}));
+        ray.origin = front.position[i] + n * core::marchBias(scene.photo->camera, front.depth[i]);
+        ray.direction = core::Vector3f(d.x, d.y, d.z).normalized();
+    }
+    return rays;
+}
+
+void Bench::march() {
+    constexpr std::size_t kRays = 1 << 18;
+    constexpr std::size_t kSlowRays = 1 << 14;  // for the methods that are slow on a processor
+    constexpr int kRepetitions = 3;
+    const core::DepthLayers sceneLayers = layers();
+    SceneGeometry geometry(device);
+    geometry.setLayers(sceneLayers, scene.photo->color, *analysis->front, *analysis->back,
+                       [](std::uint16_t label) { return static_cast<float>(label); });
+    geometry.setEnvironment(core::DirectionalMap());
+
+    double build = std::numeric_limits<double>::max();
+    for (int i = 0; i < kRepetitions; ++i) {
+        gpu::PassTimer timer(device);
+        const gpu::CommandEncoder encoder = device.createCommandEncoder({.label = "build pyramid"});
+        {
+            const auto region = timer.measure(encoder, "build pyramid");
+            geometry.recordPyramid(encoder);
+        }
+        device.waitIdle();
+        const auto start = Clock::now();
+        device.queue().submit(encoder.finish());
+        device.waitIdle();
+        double seconds = secondsSince(start);
+        for (const auto& timing : timer.takeResults()) seconds = timing.seconds;
+        build = std::min(build, seconds);
+    }
+    add("march", "build_seconds.pyramid", build, "s");
+
+    RayMarcher marcher(device, geometry);
+    const std::vector<Ray> rays = cosineRays(kRays);
+    const std::vector<Ray> fewRays(rays.begin(), rays.begin() + kSlowRays);
+    const auto rate = [&](const std::vector<Ray>& list, MarchMethod method, const ConstantStepParams& steps) {
+        double best = std::numeric_limits<double>::max();
+        for (int i = 0; i < kRepetitions; ++i) {
+            context.checkpoint("Benchmark: march", static_cast<float>(i) / kRepetitions);
+            (void)marcher.march(list, method, steps);
+            best = std::min(best, marcher.seconds());
+        }
+        return static_cast<double>(list.size()) / best;
+    };
+    // Steps of the least thickness a segment can have; as long as the scene is deep.
+    float farthest = 0;
+    for (const float z : analysis->front->depth.pixels()) farthest = std::max(farthest, z);
+    const ConstantStepParams steps{.stepSize = core::BackSideParams().minThickness, .maxDistance = 2 * farthest};
+    add("march", "rays_per_second.constant", rate(fewRays, MarchMethod::ConstantSteps, steps), "1/s");
+    add("march", "rays_per_second.pyramid", rate(rays, MarchMethod::Pyramid, steps), "1/s");
+
+    const std::vector<RayHit> hits = marcher.march(fewRays, MarchMethod::Pyramid);
+    std::size_t agreed = 0;
+    for (std::size_t i = 0; i < fewRays.size(); ++i) {
+        if (i % 1024 == 0) context.checkpoint("Benchmark: oracle", static_cast<float>(i) / kSlowRays);
+        const auto expected = core::march(sceneLayers, fewRays[i].origin, fewRays[i].direction);
+        agreed += expected ? hits[i].found && hits[i].x == expected->x && hits[i].y == expected->y : !hits[i].found;
+    }
+    add("march", "oracle_agreement", static_cast<double>(agreed) / kSlowRays, "1");
+}
+
+/// The scene with one segment edited and no other: the first glossy one, else the largest that is not the largest of
+/// all (which is what things stand on).
+core::Scene Bench::withEdit(const core::Material& material) const {
+    core::Scene edited = scene;
+    std::map<std::uint16_t, std::size_t> sizes;
+    for (const std::uint16_t label : scene.photo->labels.pixels())
+        if (label != 0) ++sizes[label];
+    std::vector<core::Segment*> candidates;
+    for (core::Segment& segment : edited.segments) {
+        segment.edit.reset();
+        if (sizes.contains(segment.label)) candidates.push_back(&segment);
+    }
+    if (candidates.empty())
+        throw core::Error(core::ErrorKind::Input, "The scene has no segment, so there is nothing to re-shade.");
+    std::sort(candidates.begin(), candidates.end(), [&](const core::Segment* a, const core::Segment* b) {
+        if (a->glossy != b->glossy) return a->glossy;
+        return sizes[a->label] > sizes[b->label];
+    });
+    const std::size_t choice = candidates[0]->glossy || candidates.size() == 1 ? 0 : 1;
+    candidates[choice]->edit = material;
+    return edited;
+}
+
+double Bench::renderSeconds(Renderer& renderer, bool firstPictureOnly, double budgetSeconds) const {
+    device.waitIdle();
+    const auto start = Clock::now();
+    bool worked = true;
+    while (worked && !(firstPictureOnly && renderer.progress().samples >= 1)) {
+        gpu::CommandEncoder encoder = device.createCommandEncoder({.label = "benchmark"});
+        worked = renderer.record(encoder, budgetSeconds);
+        device.queue().submit(encoder.finish());
+        device.waitIdle();
+        context.checkpoint("Benchmark: render", renderer.progress().fraction);
+    }
+    return secondsSince(start);
+}
+
+void Bench::reshade() {
+    core::Material material = core::defaultMaterial(*core::findBrdf("ggx"));
+    core::Scene edited = withEdit(material);
+    edited.render.samples = 5;
+    edited.render.filter = false;
+    Renderer renderer(device);
+    renderer.setScene(edited, analysis);
+    (void)renderSeconds(renderer, false, 0.1);  // learns what slices cost
+    edited.render.seed += 1;
+    renderer.setScene(edited, analysis);
+    add("reshade", "seconds_per_5_rays", renderSeconds(renderer, false, 0.1), "s");
+    edited.render.seed += 1;
+    edited.render.filter = true;
+    renderer.setScene(edited, analysis);
+    add("reshade", "first_picture_seconds", renderSeconds(renderer, true, kFrameSeconds), "s");
+}
+
+void Bench::translucency() {
+    core::Material material = core::defaultMaterial(*core::findBrdf("none"));
+    material.translucency = core::Translucency();
+    core::Scene edited = withEdit(material);
+    edited.render.samples = 1;
+    edited.render.filter = false;
+    edited.render.surfaceSamples = 512;
+    Renderer renderer(device);
+    renderer.setScene(edited, analysis);
+    (void)renderSeconds(renderer, false, 0.1);
+    edited.render.surfaceSamples = 10000;
+    renderer.setScene(edited, analysis);
+    add("translucency", "brute_seconds.10k", renderSeconds(renderer, false, 0.1), "s");
+}
+
+void Bench::analyse() {
+    static const std::map<std::string, std::string, std::less<>> kMetrics = {
+        {"Filter depth", "filter"},   {"Surface", "geometry"},        {"Back side", "backside"},
+        {"Depth layers", "geometry"}, {"Reflectance", "reflectance"}, {"Environment", "environment"}};
+    std::map<std::string, double> seconds;
+    auto last = Clock::now();
+    std::mutex mutex;  // reports come from any thread
+    const core::StepContext timed([&](std::string_view step, float fraction) {
+        const auto now = Clock::now();
+        const std::lock_guard lock(mutex);
+        // Steps report when they begin and when they end; what lies between belongs to the step that reports.
+        const auto metric = kMetrics.find(step);
+        if (metric != kMetrics.end()) seconds[metric->second] += std::chrono::duration<double>(now - last).count();
+        last = now;
+        context.checkpoint(step, fraction);
+    });
+    const auto start = Clock::now();
+    core::AnalysisPipeline pipeline;
+    (void)pipeline.run(scene, timed);
+    const double total = secondsSince(start);
+    for (const char* metric : {"filter", "geometry", "backside", "reflectance", "environment"})
+        add("analyse", std::string("seconds.") + metric, seconds[metric], "s");
+    add("analyse", "seconds.total", total, "s");
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    add("analyse", "peak_bytes", static_cast<double>(usage.ru_maxrss) * 1024, "B");
+}
+
+}  // namespace
+
+const std::vector<std::string>& benchmarkNames() {
+    static const std::vector<std::string> names = {"march", "reshade", "translucency", "analyse"};
+    return names;
+}
+
+std::vector<BenchResult> runBenchmarks(const std::vector<std::string>& names, gpu::Device device,
+                                       const core::Scene& scene, const std::shared_ptr<const core::Analysis>& analysis,
+                                       const core::StepContext& context) {
+    for (const std::string& name : names) {
+        if (std::find(benchmarkNames().begin(), benchmarkNames().end(), name) != benchmarkNames().end()) continue;
+        std::string known;
+        for (const std::string& n : benchmarkNames()) known += (known.empty() ? "" : ", ") + n;
+        throw core::Error(core::ErrorKind::Usage,
+                          "There is no benchmark \"" + name + "\". The benchmarks are: " + known + ".");
+    }
+    if (!scene.photo || !analysis)
+        throw core::Error(core::ErrorKind::Input, "The benchmark needs an analysed photograph.");
+    const auto wanted = [&](const char* name) {
+        return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+    };
+    Bench bench{std::move(device), scene, analysis, context, {}};
+    if (wanted("march")) bench.march();
+    if (wanted("reshade")) bench.reshade();
+    if (wanted("translucency")) bench.translucency();
+    if (wanted("analyse")) bench.analyse();
+    return bench.results;
+}
+
+}  // namespace render

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+#include "gpu/shader_module.h"
+#include "kernels/build_pyramid.h"
+#include "kernels/composite.h"
+#include "kernels/dipole_gather.h"
+#include "kernels/filter.h"
+#include "kernels/irradiance.h"
+#include "kernels/march_rays.h"
+#include "kernels/reshade.h"
+#include "shaders/shared/build_pyramid_block.h"
+#include "shaders/shared/composite_block.h"
+#include "shaders/shared/dipole.h"
+#include "shaders/shared/dipole_gather_block.h"
+#include "shaders/shared/filter_block.h"
+#include "shaders/shared/geometry_block.h"
+#include "shaders/shared/irradiance_block.h"
+#include "shaders/shared/march_block.h"
+#include "shaders/shared/path.h"
+#include "shaders/shared/reshade_block.h"
+#include "tests/gpu/render_support.h"
+
+namespace {
+
+using Offsets = std::map<std::string, std::size_t>;
+
+/// Offsets the SPIR-V carries for a struct against what the C++ compiler made of the same text.
+void expectLayout(std::span<const std::uint32_t> code, const std::string& name, const Offsets& expected,
+                  std::size_t size) {
+    const gpu::ShaderModule module =
+        testing_support::device().createShaderModule({.label = "block layout of " + name, .code = code});
+    const gpu::BlockLayout layout = module.blockLayout(name);
+    Offsets actual;
+    for (const gpu::BlockMember& member : layout.members) actual[member.name] = member.offset;
+    EXPECT_EQ(actual, expected) << name;
+    EXPECT_LE(layout.size, size) << name;
+    EXPECT_GT(layout.size + 16, size) << name;
+}
+
+#define MEMBER(type, member) \
+    { #member, offsetof(kernel::type, member) }
+
+TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
+    expectLayout(build_pyramid_spv, "BuildPyramidBlock",
+                 {MEMBER(BuildPyramidBlock, level), MEMBER(BuildPyramidBlock, width), MEMBER(BuildPyramidBlock, height),
+                  MEMBER(BuildPyramidBlock, offset), MEMBER(BuildPyramidBlock, sourceWidth),
+                  MEMBER(BuildPyramidBlock, sourceHeight), MEMBER(BuildPyramidBlock, sourceOffset),
+                  MEMBER(BuildPyramidBlock, pad0)},
+                 sizeof(kernel::BuildPyramidBlock));
+    expectLayout(march_rays_spv, "MarchBlock",
+                 {MEMBER(MarchBlock, rayCount), MEMBER(MarchBlock, method), MEMBER(MarchBlock, stepSize),
+                  MEMBER(MarchBlock, maxDistance)},
+                 sizeof(kernel::MarchBlock));
+    expectLayout(march_rays_spv, "GeometryBlock",
+                 {MEMBER(GeometryBlock, camera), MEMBER(GeometryBlock, width), MEMBER(GeometryBlock, height),
+                  MEMBER(GeometryBlock, levelCount), MEMBER(GeometryBlock, environmentWidth),
+                  MEMBER(GeometryBlock, environmentHeight), MEMBER(GeometryBlock, pad0), MEMBER(GeometryBlock, pad1),
+                  MEMBER(GeometryBlock, pad2)},
+                 sizeof(kernel::GeometryBlock));
+    expectLayout(reshade_spv, "ReshadeBlock",
+                 {MEMBER(ReshadeBlock, firstPixel), MEMBER(ReshadeBlock, pixelCount), MEMBER(ReshadeBlock, firstSample),
+                  MEMBER(ReshadeBlock, sampleCount), MEMBER(ReshadeBlock, seed), MEMBER(ReshadeBlock, bounces),
+                  MEMBER(ReshadeBlock, pad0), MEMBER(ReshadeBlock, pad1)},
+                 sizeof(kernel::ReshadeBlock));
+    expectLayout(reshade_spv, "BrdfParams",
+                 {MEMBER(BrdfParams, albedo), MEMBER(BrdfParams, specular), MEMBER(BrdfParams, eta),
+                  MEMBER(BrdfParams, k), MEMBER(BrdfParams, values), MEMBER(BrdfParams, type), MEMBER(BrdfParams, pad0),
+                  MEMBER(BrdfParams, pad1), MEMBER(BrdfParams, pad2)},
+                 sizeof(kernel::BrdfParams));
+    expectLayout(reshade_spv, "SegmentShading",
+                 {MEMBER(SegmentShading, brdf), MEMBER(SegmentShading, diffuse), MEMBER(SegmentShading, blend)},
+                 sizeof(kernel::SegmentShading));
+    expectLayout(irradiance_spv, "IrradianceBlock",
+                 {MEMBER(IrradianceBlock, firstPoint), MEMBER(IrradianceBlock, pointCount),
+                  MEMBER(IrradianceBlock, firstRay), MEMBER(IrradianceBlock, rayCount), MEMBER(IrradianceBlock, label),
+                  MEMBER(IrradianceBlock, seed), MEMBER(IrradianceBlock, bounces), MEMBER(IrradianceBlock, eta)},
+                 sizeof(kernel::IrradianceBlock));
+    expectLayout(irradiance_spv, "SurfacePoint", {MEMBER(SurfacePoint, position), MEMBER(SurfacePoint, normal)},
+                 sizeof(kernel::SurfacePoint));
+    expectLayout(dipole_gather_spv, "DipoleGatherBlock",
+                 {MEMBER(DipoleGatherBlock, firstPixel), MEMBER(DipoleGatherBlock, pixelCount),
+                  MEMBER(DipoleGatherBlock, firstPoint), MEMBER(DipoleGatherBlock, pointCount),
+                  MEMBER(DipoleGatherBlock, sumScale), MEMBER(DipoleGatherBlock, pad0), MEMBER(DipoleGatherBlock, pad1),
+                  MEMBER(DipoleGatherBlock, pad2)},
+                 sizeof(kernel::DipoleGatherBlock));
+    expectLayout(dipole_gather_spv, "DipoleParams",
+                 {MEMBER(DipoleParams, zr), MEMBER(DipoleParams, zv), MEMBER(DipoleParams, sigmaTr),
+                  MEMBER(DipoleParams, alphaPrime)},
+                 sizeof(kernel::DipoleParams));
+    expectLayout(filter_spv, "FilterBlock",
+                 {MEMBER(FilterBlock, firstPixel), MEMBER(FilterBlock, pixelCount), MEMBER(FilterBlock, level),
+                  MEMBER(FilterBlock, normalPower), MEMBER(FilterBlock, depthSigma),
+                  MEMBER(FilterBlock, luminanceSigma), MEMBER(FilterBlock, temporalSamples), MEMBER(FilterBlock, pad0)},
+                 sizeof(kernel::FilterBlock));
+    expectLayout(
+        composite_spv, "CompositeBlock",
+        {MEMBER(CompositeBlock, pixelCount), MEMBER(CompositeBlock, filtered), MEMBER(CompositeBlock, blendNew),
+         MEMBER(CompositeBlock, blendOriginal), MEMBER(CompositeBlock, translucentWeight), MEMBER(CompositeBlock, area),
+         MEMBER(CompositeBlock, eta), MEMBER(CompositeBlock, pad0)},
+        sizeof(kernel::CompositeBlock));
+}
+
+}  // namespace

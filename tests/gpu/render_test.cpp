@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstring>
+
+#include "core/brdf.h"
+#include "core/reference_renderer.h"
+#include "core/render/scene_geometry.h"
+#include "core/translucency.h"
+#include "gpu/readback.h"
+#include "tests/gpu/render_support.h"
+
+namespace {
+
+using core::Vector3f;
+using testing_support::AnalyticScene;
+using testing_support::device;
+
+core::Material material(const char* brdf) { return core::defaultMaterial(*core::findBrdf(brdf)); }
+
+core::Material ggx(float alpha) {
+    core::Material m = material("ggx");
+    m.values[0] = alpha;
+    m.specular = Vector3f(0.9f, 0.7f, 0.5f);
+    return m;
+}
+
+core::Material marble() {
+    core::Material m = material("none");
+    m.translucency = core::Translucency();
+    m.translucency->sigmaA = Vector3f(0.02f, 0.04f, 0.07f);
+    m.translucency->sigmaSPrime = Vector3f(0.3f, 0.35f, 0.4f);
+    return m;
+}
+
+/// Two spheres on a floor under a coloured sky; small enough for the CPU oracle.
+AnalyticScene stillLife() {
+    return testing_support::makeAnalyticScene(120, 90,
+                                              {{Vector3f(-0.12f, 0.13f, 0.9f), 0.16f, 2, Vector3f(0.6f, 0.2f, 0.1f)},
+                                               {Vector3f(0.2f, 0.16f, 1.05f), 0.13f, 3, Vector3f(0.1f, 0.3f, 0.7f)}},
+                                              2.0f, [](const Vector3f& d) -> Vector3f {
+                                                  return Vector3f(0.6f, 0.8f, 1.2f) * (1 - 0.8f * d.y()) +
+                                                         Vector3f(2, 1.5f, 1) * std::max(d.x(), 0.0f);
+                                              });
+}
+
+core::Scene edited(const AnalyticScene& source, std::uint16_t label, const core::Material& m, int samples) {
+    core::Scene scene = source.scene();
+    scene.findSegment(label)->edit = m;
+    scene.render.samples = samples;
+    scene.render.filter = false;
+    return scene;
+}
+
+struct Comparison {
+    double nearlyEqual = 0;     ///< share of the segment's pixels that agree within 0.2 % + 1e-3
+    double meanDifference = 0;  ///< of the means over the segment, relative
+    std::size_t pixels = 0;
+};
+
+Comparison compare(const core::ImageRgb& actual, const core::ImageRgb& expected, const core::LabelImage& labels,
+                   std::uint16_t label) {
+    Comparison result;
+    double sumActual = 0;
+    double sumExpected = 0;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (labels[i] != label) continue;
+        ++result.pixels;
+        result.nearlyEqual +=
+            (actual[i] - expected[i]).cwiseAbs().maxCoeff() <= 0.002f * expected[i].cwiseAbs().maxCoeff() + 1e-3f;
+        sumActual += static_cast<double>(actual[i].sum());
+        sumExpected += static_cast<double>(expected[i].sum());
+    }
+    result.nearlyEqual /= static_cast<double>(result.pixels);
+    result.meanDifference = std::abs(sumActual - sumExpected) / sumExpected;
+    return result;
+}
+
+/// Records and submits until there is nothing left; returns the number of submissions.
+int finish(render::Renderer& renderer, double budgetSeconds) {
+    for (int i = 1; i < 100000; ++i) {
+        gpu::CommandEncoder encoder = device().createCommandEncoder({.label = "test"});
+        const bool worked = renderer.record(encoder, budgetSeconds);
+        device().queue().submit(encoder.finish());
+        device().waitIdle();
+        if (!worked) return i;
+    }
+    ADD_FAILURE() << "the renderer does not come to an end";
+    return 0;
+}
+
+std::vector<float> pixels(const render::Renderer& renderer) {
+    return gpu::readTexture<float>(device(), renderer.result());
+}
+
+TEST(Reshade, FollowsTheReferenceRendererPathByPath) {
+    const AnalyticScene source = stillLife();
+    for (const char* brdf : {"lambert", "phong", "ggx"}) {
+        core::Material m = material(brdf);
+        m.specular = Vector3f(0.9f, 0.8f, 0.6f);
+        const core::Scene scene = edited(source, 2, m, 4);
+        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
+        const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+        const Comparison c = compare(actual, expected, source.photo->labels, 2);
+        ASSERT_GT(c.pixels, 500u);
+        // Paths part where a rounding decides between two pixels; the rest draws the same numbers.
+        EXPECT_GE(c.nearlyEqual, 0.98) << brdf;
+        EXPECT_LE(c.meanDifference, 0.003) << brdf;
+    }
+}
+
+TEST(Reshade, SeveralEditedSegmentsSeeEachOther) {
+    const AnalyticScene source = stillLife();
+    core::Scene scene = edited(source, 2, ggx(0.1f), 4);
+    scene.findSegment(3)->edit = marble();
+    scene.findSegment(3)->edit->brdf = "lambert";
+    scene.findSegment(3)->edit->blendOriginal = 0.3f;
+    scene.findSegment(1)->glossy = true;
+    scene.render.surfaceSamples = 300;
+    scene.render.irradianceSamples = 8;
+    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
+    const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+    for (const auto label : {std::uint16_t{2}, std::uint16_t{3}}) {
+        const Comparison c = compare(actual, expected, source.photo->labels, label);
+        EXPECT_GE(c.nearlyEqual, 0.97) << label;
+        EXPECT_LE(c.meanDifference, 0.004) << label;
+    }
+}
+
+TEST(Reshade, WhiteFurnaceIsWhite) {
+    const auto white = [](const Vector3f&) { return Vector3f(1, 1, 1); };
+    const AnalyticScene source =
+        testing_support::makeAnalyticScene(100, 80, {{Vector3f(0, 0, 1), 0.3f, 2, Vector3f(1, 1, 1)}}, 0, white);
+    core::Material m = material("lambert");
+    m.albedo = Vector3f(1, 1, 1);
+    const core::Scene scene = edited(source, 2, m, 16);
+    const core::ImageRgb image = render::renderImage(device(), scene, source.analysis());
+    for (std::size_t i = 0; i < image.size(); ++i) ASSERT_NEAR((image[i] - Vector3f(1, 1, 1)).norm(), 0, 1e-4) << i;
+
+    // A convex body does not see itself: with a black photograph a false hit would be a dark speck.
+    AnalyticScene black =
+        testing_support::makeAnalyticScene(100, 80, {{Vector3f(0, 0, 1), 0.3f, 2, Vector3f::Zero()}}, 0, white);
+    core::Scene once = edited(black, 2, m, 16);
+    once.render.bounces = 1;
+    const core::ImageRgb seen = render::renderImage(device(), once, black.analysis());
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        if (black.photo->labels[i] != 2) continue;
+        sum += static_cast<double>(seen[i].x());
+        ++count;
+    }
+    EXPECT_GE(sum / static_cast<double>(count), 0.995);
+    EXPECT_LE(sum / static_cast<double>(count), 1.0001);
+}
+
+TEST(Reshade, UneditedPixelsAreThePhotograph) {
+    const AnalyticScene source = stillLife();
+    core::Scene scene = edited(source, 2, ggx(0.2f), 2);
+    scene.render.filter = true;
+    const core::ImageRgb image = render::renderImage(device(), scene, source.analysis());
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        const bool same = std::memcmp(image[i].data(), source.photo->color[i].data(), sizeof(float) * 3) == 0;
+        if (source.photo->labels[i] == 2)
+            changed += !same;
+        else
+            ASSERT_TRUE(same) << i;
+    }
+    EXPECT_GT(changed, 500u);
+}
+
+TEST(Filter, IsTheTwinOfTheCpuFilter) {
+    const AnalyticScene source = stillLife();
+    for (const int samples : {2, 8}) {
+        core::Scene scene = edited(source, 2, ggx(0.3f), samples);
+        scene.render.filter = true;
+        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
+        const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+        const Comparison c = compare(actual, expected, source.photo->labels, 2);
+        EXPECT_GE(c.nearlyEqual, 0.9) << samples;
+        EXPECT_LE(c.meanDifference, 0.003) << samples;
+
+        scene.render.filter = false;
+        const core::ImageRgb raw = render::renderImage(device(), scene, source.analysis());
+        EXPECT_LT(compare(raw, expected, source.photo->labels, 2).nearlyEqual, 0.5) << "the filter does something";
+    }
+}
+
+TEST(Translucency, MatchesBruteForceInDouble) {
+    const AnalyticScene source = stillLife();
+    for (const float eta : {1.0f, 1.3f}) {
+        core::Material m = marble();
+        m.translucency->eta = eta;
+        m.translucency->weight = 0.8f;
+        core::Scene scene = edited(source, 2, m, 1);
+        scene.render.surfaceSamples = 700;
+        scene.render.irradianceSamples = 16;
+        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
+        const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+        const Comparison c = compare(actual, expected, source.photo->labels, 2);
+        EXPECT_GE(c.nearlyEqual, 0.97) << eta;
+        EXPECT_LE(c.meanDifference, 0.002) << eta;
+    }
+}
+
+TEST(Renderer, SameBytesOnAnySchedule) {
+    const AnalyticScene source = stillLife();
+    core::Scene scene = edited(source, 2, ggx(0.2f), 6);
+    scene.findSegment(3)->edit = marble();
+    scene.render.filter = true;
+    scene.render.surfaceSamples = 600;
+    scene.render.irradianceSamples = 8;
+    std::vector<std::vector<float>> pictures;
+    std::vector<int> submissions;
+    for (const double budget : {0.0, 0.004, 0.5}) {
+        render::Renderer renderer(device());
+        renderer.setScene(scene, source.analysis());
+        submissions.push_back(finish(renderer, budget));
+        const render::Renderer::Progress progress = renderer.progress();
+        EXPECT_TRUE(progress.finished);
+        EXPECT_EQ(progress.samples, 6);
+        EXPECT_EQ(progress.fraction, 1.0f);
+        EXPECT_EQ(progress.droppedSamples, 0u);
+        pictures.push_back(pixels(renderer));
+    }
+    EXPECT_GT(submissions[0], submissions[2]) << "the budgets must have made a difference";
+    for (std::size_t i = 1; i < pictures.size(); ++i) {
+        ASSERT_EQ(pictures[i].size(), pictures[0].size());
+        EXPECT_EQ(std::memcmp(pictures[i].data(), pictures[0].data(), pictures[0].size() * sizeof(float)), 0) << i;
+    }
+}
+
+TEST(Renderer, RestartsOnlyWhatAnEditInvalidates) {
+    const AnalyticScene source = stillLife();
+    core::Scene scene = edited(source, 2, ggx(0.2f), 4);
+    scene.findSegment(3)->edit = marble();
+    scene.render.bounces = 1;
+    scene.render.surfaceSamples = 300;
+    scene.render.irradianceSamples = 4;
+    const auto analysis = source.analysis();
+    render::Renderer renderer(device());
+    renderer.setScene(scene, analysis);
+    finish(renderer, 0.1);
+    const auto state = [&](std::size_t i) { return renderer.progress().segments[i]; };
+    ASSERT_EQ(renderer.progress().segments.size(), 2u);
+    ASSERT_EQ(state(0).samples, 4);
+    ASSERT_EQ(state(1).gatheredSamples, 300);
+
+    // Weights: nothing restarts, the picture changes.
+    const auto before = pixels(renderer);
+    scene.findSegment(2)->edit->blendNew = 0.5f;
+    scene.findSegment(2)->edit->blendOriginal = 0.5f;
+    scene.findSegment(3)->edit->translucency->weight = 0.5f;
+    renderer.setScene(scene, analysis);
+    EXPECT_EQ(state(0).samples, 4);
+    EXPECT_EQ(state(1).samples, 4);
+    EXPECT_EQ(state(1).gatheredSamples, 300);
+    finish(renderer, 0.1);
+    EXPECT_NE(pixels(renderer), before);
+
+    // Roughness of one segment: that one restarts.
+    scene.findSegment(2)->edit->values[0] = 0.4f;
+    renderer.setScene(scene, analysis);
+    EXPECT_EQ(state(0).samples, 0);
+    EXPECT_EQ(state(1).samples, 4);
+    EXPECT_EQ(state(1).gatheredSamples, 300);
+    finish(renderer, 0.1);
+
+    // Scattering: the light on the surface stays, what is gathered from it restarts.
+    scene.findSegment(3)->edit->translucency->sigmaA *= 2;
+    renderer.setScene(scene, analysis);
+    EXPECT_EQ(state(1).samples, 4);
+    EXPECT_EQ(state(1).irradianceSamples, 300);
+    EXPECT_EQ(state(1).gatheredSamples, 0);
+    finish(renderer, 0.1);
+
+    // What is on show after all edits is what a new renderer makes of the last scene.
+    render::Renderer fresh(device());
+    fresh.setScene(scene, analysis);
+    finish(fresh, 0.1);
+    EXPECT_EQ(pixels(renderer), pixels(fresh));
+
+    // With several bounces the segments see each other: both restart.
+    scene.render.bounces = 3;
+    renderer.setScene(scene, analysis);
+    finish(renderer, 0.1);
+    scene.findSegment(2)->edit->values[0] = 0.1f;
+    renderer.setScene(scene, analysis);
+    EXPECT_EQ(state(0).samples, 0);
+    EXPECT_EQ(state(1).samples, 0);
+    finish(renderer, 0.1);
+    render::Renderer freshAgain(device());
+    freshAgain.setScene(scene, analysis);
+    finish(freshAgain, 0.1);
+    EXPECT_EQ(pixels(renderer), pixels(freshAgain));
+
+    // An edit taken back shows the photograph again.
+    scene.findSegment(2)->edit.reset();
+    renderer.setScene(scene, analysis);
+    finish(renderer, 0.1);
+    const auto after = pixels(renderer);
+    for (std::size_t i = 0; i < source.photo->labels.size(); ++i) {
+        if (source.photo->labels[i] == 2) {
+            ASSERT_EQ(after[4 * i], source.photo->color[i].x()) << i;
+        }
+    }
+}
+
+TEST(Renderer, ShowsAPictureAfterTheFirstRecord) {
+    const AnalyticScene source = stillLife();
+    render::Renderer renderer(device());
+    gpu::CommandEncoder idle = device().createCommandEncoder({.label = "idle"});
+    EXPECT_FALSE(renderer.record(idle, 0.03)) << "without a scene there is nothing to do";
+    device().queue().submit(idle.finish());
+
+    renderer.setScene(edited(source, 2, ggx(0.2f), 64), source.analysis());
+    gpu::CommandEncoder encoder = device().createCommandEncoder({.label = "first"});
+    EXPECT_TRUE(renderer.record(encoder, 0.03));
+    device().queue().submit(encoder.finish());
+    device().waitIdle();
+    const auto picture = pixels(renderer);
+    ASSERT_EQ(picture.size(), source.photo->color.size() * 4);
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < source.photo->color.size(); ++i) {
+        ASSERT_TRUE(std::isfinite(picture[4 * i]));
+        changed += picture[4 * i] != source.photo->color[i].x();
+    }
+    EXPECT_GT(changed, 0u);
+    EXPECT_FALSE(renderer.progress().finished);
+    EXPECT_GT(renderer.progress().fraction, 0.0f);
+}
+
+TEST(Renderer, FollowsANewPhotographOfAnotherSize) {
+    const AnalyticScene first = stillLife();
+    const AnalyticScene second = testing_support::makeAnalyticScene(70, 110, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0,
+                                                                    [](const Vector3f&) { return Vector3f(1, 1, 1); });
+    render::Renderer renderer(device());
+    renderer.setScene(edited(first, 2, ggx(0.2f), 2), first.analysis());
+    finish(renderer, 0.1);
+    renderer.setScene(edited(second, 2, marble(), 2), second.analysis());
+    finish(renderer, 0.1);
+    EXPECT_EQ(renderer.result().width(), 70u);
+    EXPECT_EQ(renderer.result().height(), 110u);
+    render::Renderer fresh(device());
+    fresh.setScene(edited(second, 2, marble(), 2), second.analysis());
+    finish(fresh, 0.1);
+    EXPECT_EQ(pixels(renderer), pixels(fresh));
+}
+
+TEST(Renderer, NothingEditedIsThePhotograph) {
+    const AnalyticScene source = stillLife();
+    const core::ImageRgb image = render::renderImage(device(), source.scene(), source.analysis());
+    EXPECT_EQ(image, source.photo->color);
+}
+
+TEST(Renderer, SaysWhenThePictureIsTooLarge) {
+    const render::SceneGeometry geometry(device());
+    EXPECT_NO_THROW(geometry.requireFits(1024, 768));
+    const std::uint32_t side = device().limits().maxTextureDimension2D + 1;
+    try {
+        geometry.requireFits(side, 10);
+        FAIL() << "a picture wider than the device's textures must be refused";
+    } catch (const gpu::Error& error) {
+        EXPECT_EQ(error.kind(), gpu::ErrorKind::OutOfMemory);
+        EXPECT_NE(std::string(error.what()).find(std::to_string(side) + "x10"), std::string::npos) << error.what();
+    }
+}
+
+TEST(Renderer, CanBeCancelled) {
+    const AnalyticScene source = stillLife();
+    const core::Scene scene = edited(source, 2, ggx(0.2f), 100000);
+    const std::atomic<bool> cancel = true;
+    EXPECT_THROW((void)render::renderImage(device(), scene, source.analysis(), core::StepContext({}, &cancel)),
+                 core::Error);
+}
+
+}  // namespace
