@@ -305,12 +305,15 @@ void Renderer::Impl::prepareTranslucency(SegmentState& state) {
         state.pointsStale = false;
         state.litPoints = 0;
         state.litRays = 0;
+        state.dipole = {};
         state.irradianceGroup = state.gatherGroup = {};
     }
     if (!state.irradianceGroup) state.irradianceGroup = translucency.bindIrradiance(paths, state.points);
     if (!state.dipole) {
-        state.dipole = makeBuffer(device, "dipole", gpu::BufferUsage::Uniform,
-                                  std::vector<kernel::DipoleParams>{state.dipoleParams});
+        kernel::DipoleParams smoothed = state.dipoleParams;
+        smoothed.zr.w = state.points.smoothing;
+        state.dipole =
+            makeBuffer(device, "dipole", gpu::BufferUsage::Uniform, std::vector<kernel::DipoleParams>{smoothed});
         state.gatherGroup = {};
     }
     if (!state.gatherGroup)

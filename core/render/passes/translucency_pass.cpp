@@ -46,7 +46,8 @@ SurfacePoints TranslucencyPass::upload(const core::SurfaceSamples& samples) cons
         .points = makeBuffer(device_, "surface points", gpu::BufferUsage::Storage, points),
         .sums = makeBuffer(device_, "surface irradiance", gpu::BufferUsage::Storage, std::vector<kernel::vec4>(count)),
         .count = count,
-        .area = static_cast<float>(samples.area)};
+        .area = static_cast<float>(samples.area),
+        .smoothing = core::smoothedFor(samples, {}).zr.w};
 }
 
 gpu::BindGroup TranslucencyPass::bindIrradiance(const PathInputs& inputs, const SurfacePoints& points) const {

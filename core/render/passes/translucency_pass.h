@@ -17,7 +17,8 @@ struct SurfacePoints {
     gpu::Buffer points;  ///< kernel::SurfacePoint, shuffled so that any first few cover the whole surface
     gpu::Buffer sums;    ///< vec4 per point: sum of transmitted radiance
     std::uint32_t count = 0;
-    float area = 0;  ///< [m²], front and back together
+    float area = 0;       ///< [m²], front and back together
+    float smoothing = 0;  ///< of the dipole for this many samples, DipoleParams::zr.w [m²]
 };
 
 /// Records slices of the translucency (DESIGN 3.6): light onto surface samples (shaders/irradiance.comp), then from
