@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Memory, mapping, copies, lifetimes, completion, time: the object model's contracts.
+#include <cstdlib>
 #include <cstring>
 #include <numeric>
 #include <thread>
@@ -41,6 +42,21 @@ TEST_F(GpuObjects, AdapterSaysWhatItIsAndIsFoundByNameAndIndex) {
         gpu_test::errorOf([] { (void)context().instance.requestAdapter({.device = "no such device"}); });
     EXPECT_EQ(error.kind(), gpu::ErrorKind::NoAdapter);
     EXPECT_NE(std::string(error.what()).find(all[0].info().name), std::string::npos) << error.what();
+}
+
+TEST_F(GpuObjects, ALoaderWithoutDriversIsAnErrorThatSaysSo) {
+    const char* drivers = std::getenv("VK_ICD_FILENAMES");
+    const std::string before = drivers != nullptr ? drivers : "";
+    setenv("VK_ICD_FILENAMES", "/nonexistent/driver.json", 1);
+    const gpu::Error error = gpu_test::errorOf([] { (void)gpu::Instance::create().requestAdapter(); });
+    if (drivers != nullptr) {
+        setenv("VK_ICD_FILENAMES", before.c_str(), 1);
+    } else {
+        unsetenv("VK_ICD_FILENAMES");
+    }
+    EXPECT_EQ(error.kind(), gpu::ErrorKind::NoAdapter) << error.what();
+    EXPECT_NE(std::string(error.what()).find("driver"), std::string::npos) << error.what();
+    EXPECT_NO_THROW((void)gpu::Instance::create().requestAdapter());
 }
 
 TEST_F(GpuObjects, NewBuffersAndTexturesAreZero) {
