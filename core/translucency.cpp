@@ -202,7 +202,7 @@ SurfaceSamples sampleSurface(const Analysis& analysis, const LabelImage& labels,
 
 kernel::DipoleParams smoothedFor(const SurfaceSamples& samples, kernel::DipoleParams dipole) {
     const auto count = static_cast<double>(samples.samples.size());
-    dipole.zr.w = count > 0 ? static_cast<float>(kSmoothingSamples * samples.area / count / M_PI) : 0.0f;
+    dipole.zr.w = count > 0 ? static_cast<float>(samples.area / count) : 0.0f;
     return dipole;
 }
 

@@ -65,9 +65,8 @@ struct SurfaceSamples {
 [[nodiscard]] SurfaceSamples sampleSurface(const Analysis& analysis, const LabelImage& labels, std::uint16_t label,
                                            int count, std::uint32_t seed);
 
-/// The dipole smoothed for use with these samples: spread over the area that kSmoothingSamples of them stand for (the
-/// more samples, the sharper; the limit is R_d itself).
+/// The dipole blurred to what these samples can resolve (zr.w, see dipole_rd): the more samples, the sharper; the limit
+/// is R_d itself.
 [[nodiscard]] kernel::DipoleParams smoothedFor(const SurfaceSamples& samples, kernel::DipoleParams dipole);
-inline constexpr double kSmoothingSamples = 8;
 
 }  // namespace core

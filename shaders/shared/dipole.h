@@ -13,53 +13,44 @@
 KERNEL_BEGIN
 
 struct DipoleParams {
-    vec4 zr;          // rgb = depth of the real source [m]; w = smoothing h [m²], 0 = none
+    vec4 zr;          // rgb = depth of the real source [m]; w = area per surface sample [m²], 0 = unblurred
     vec4 zv;          // rgb = height of the virtual source [m]
     vec4 sigmaTr;     // rgb = effective transport coefficient [1/m]
     vec4 alphaPrime;  // rgb = reduced albedo; w = relative index of refraction
 };
 KERNEL_BLOCK(DipoleParams, 64)
 
-KERNEL_FN float dipole_source(float z, float sigmaTr, float r2) {
-    float d2 = r2 + z * z;
+/// One source at depth z, blurred by moving it `delta` away from the surface (see dipole_rd).
+KERNEL_FN float dipole_source(float z, float sigmaTr, float delta, float r2) {
+    float zd = z + delta;
+    float d2 = r2 + zd * zd;
     float d = sqrt(d2);
-    float s = sigmaTr * d;
-    return z * (1.0f + s) * exp(-s) / (d2 * d);
+    return zd * (1.0f + sigmaTr * d) * exp(-sigmaTr * (d - delta)) / (d2 * d);
 }
 
-KERNEL_FN float dipole_potential(float d2, float sigmaTr) {
-    float d = sqrt(d2);
-    return exp(-sigmaTr * d) / d;
+/// How far to move the sources for samples that stand for `area` [m²] each: the peak of the blur,
+/// (1 + σtr δ)/(2π δ²), becomes 1/(2π area).
+KERNEL_FN float dipole_blur(float sigmaTr, float area) {
+    float b = 0.5f * sigmaTr * area;
+    return b + sqrt(b * b + area);
 }
 
-/// `dipole_source` averaged over r² ± h, its mirror image below r² = 0 included.
-KERNEL_FN float dipole_source_smooth(float z, float sigmaTr, float r2, float h) {
-    float z2 = z * z;
-    float outer = dipole_potential(r2 + h + z2, sigmaTr);
-    float inner = dipole_potential(abs(r2 - h) + z2, sigmaTr);
-    float sum = r2 > h ? inner - outer : 2.0f * dipole_potential(z2, sigmaTr) - inner - outer;
-    return z * max(sum, 0.0f) / h;
+/// Both sources of one channel.
+KERNEL_FN float dipole_channel(float zr, float zv, float sigmaTr, float area, float r2) {
+    float delta = dipole_blur(sigmaTr, area);
+    return dipole_source(zr, sigmaTr, delta, r2) + dipole_source(zv, sigmaTr, delta, r2);
 }
 
 /// Diffuse reflectance profile R_d [1/m²] at squared distance r2 [m²].
 ///
-/// Light that enters at one sample stands for the light on a patch around it. With a smoothing h, R_d is the mean over
-/// the interval r² ± h: near the sample it is spread over a disc of area πh, far away it is R_d itself, and its
-/// integral over the plane is the same (∫ z (1+σd) e^(−σd)/d³ d(r²) = −2z e^(−σd)/d). Without it, samples farther apart
-/// than the mean free path show as dots.
+/// Light that enters at one sample stands for the light on a patch around it. Samples farther apart than the real
+/// source is deep would show as dots, so R_d is blurred to the distance between them (zr.w): in the plane one source's
+/// profile is exp(−z sqrt(k² + σtr²)) in frequency space, so moving it δ away from the surface and multiplying with
+/// exp(σtr δ) is an exact convolution, which keeps the reflectance. It vanishes as the samples grow denser.
 KERNEL_FN vec3 dipole_rd(DipoleParams p, float r2) {
-    float h = p.zr.w;
-    if (r2 < 16.0f * h)
-        return vec3(p.alphaPrime.x * (dipole_source_smooth(p.zr.x, p.sigmaTr.x, r2, h) +
-                                      dipole_source_smooth(p.zv.x, p.sigmaTr.x, r2, h)),
-                    p.alphaPrime.y * (dipole_source_smooth(p.zr.y, p.sigmaTr.y, r2, h) +
-                                      dipole_source_smooth(p.zv.y, p.sigmaTr.y, r2, h)),
-                    p.alphaPrime.z * (dipole_source_smooth(p.zr.z, p.sigmaTr.z, r2, h) +
-                                      dipole_source_smooth(p.zv.z, p.sigmaTr.z, r2, h))) *
-               (0.25f * kInvPi);
-    return vec3(p.alphaPrime.x * (dipole_source(p.zr.x, p.sigmaTr.x, r2) + dipole_source(p.zv.x, p.sigmaTr.x, r2)),
-                p.alphaPrime.y * (dipole_source(p.zr.y, p.sigmaTr.y, r2) + dipole_source(p.zv.y, p.sigmaTr.y, r2)),
-                p.alphaPrime.z * (dipole_source(p.zr.z, p.sigmaTr.z, r2) + dipole_source(p.zv.z, p.sigmaTr.z, r2))) *
+    return vec3(p.alphaPrime.x * dipole_channel(p.zr.x, p.zv.x, p.sigmaTr.x, p.zr.w, r2),
+                p.alphaPrime.y * dipole_channel(p.zr.y, p.zv.y, p.sigmaTr.y, p.zr.w, r2),
+                p.alphaPrime.z * dipole_channel(p.zr.z, p.zv.z, p.sigmaTr.z, p.zr.w, r2)) *
            (0.25f * kInvPi);
 }
 

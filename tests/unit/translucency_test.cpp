@@ -48,33 +48,60 @@ TEST(Dipole, IntegralIsTheClosedFormForEveryPreset) {
         }
 }
 
-TEST(Dipole, SmoothingKeepsTheIntegralAndTheFarField) {
-    Translucency t = toTranslucency(*findTranslucencyPreset("skin1"));
-    const kernel::DipoleParams exact = dipoleFromTranslucency(t);
-    const Vector3f total = diffuseReflectance(t);
-    for (const float h : {1e-8f, 1e-6f, 1e-4f}) {
-        kernel::DipoleParams smooth = exact;
-        smooth.zr.w = h;
-        const Vector3f integral = integrateProfile(smooth);
-        for (int c = 0; c < 3; ++c) EXPECT_NEAR(integral[c], total[c], 6e-3 * total[c]) << h;
-        const float far = 20 * h;
-        EXPECT_EQ(kernel::dipole_rd(smooth, far).x, kernel::dipole_rd(exact, far).x);
-        EXPECT_LE(kernel::dipole_rd(smooth, 0).x, 1 / (M_PI * h)) << "no more than all the light on the disc";
-        // The mean over r² ± h by brute force, on both sides of r² = h.
-        for (const float r2 : {0.3f * h, 3 * h}) {
-            double sum = 0;
-            for (int i = 0; i < 20000; ++i) {
-                const double q = std::abs(r2 + h * (2 * (i + 0.5) / 20000 - 1));
-                sum += static_cast<double>(kernel::dipole_rd(exact, static_cast<float>(q)).y) / 20000;
+TEST(Dipole, BlurKeepsTheReflectanceAndHidesTheSamples) {
+    for (const char* key : {"skin1", "marble", "ketchup"})
+        for (const double spacing : {1e-5, 1e-3, 5e-3}) {
+            const Translucency t = toTranslucency(*findTranslucencyPreset(key));
+            SurfaceSamples samples;
+            samples.samples.resize(1000);
+            samples.area = 1000 * spacing * spacing;
+            const kernel::DipoleParams blurred = smoothedFor(samples, dipoleFromTranslucency(t));
+            const Vector3f total = diffuseReflectance(t);
+            const Vector3f integral = integrateProfile(blurred);
+            const kernel::vec3 peak = kernel::dipole_rd(blurred, 0);
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(integral[c], total[c], 3e-3 * total[c]) << key << " " << spacing;
+                const double atZero = static_cast<double>(c == 0 ? peak.x : c == 1 ? peak.y : peak.z);
+                EXPECT_LE(atZero * spacing * spacing, 1.001 / (2 * M_PI) * total[c])
+                    << "one sample with the light of its patch outshines the sum of all: " << key << " " << spacing;
             }
-            EXPECT_NEAR(kernel::dipole_rd(smooth, r2).y, sum, 5e-3 * sum) << h;
         }
+}
+
+TEST(Dipole, BlurIsAConvolution) {
+    // R_d of a single source, convolved in the plane with the blur's own kernel by brute force: the kernel is that of a
+    // source at depth 0 moved by δ, e^(σδ) δ (1+σd) e^(−σd)/(2π d³).
+    const double z = 1e-3;
+    const double sigma = 300;
+    const double delta = 1.5e-3;
+    const auto profile = [&](double depth, double r2) {
+        const double d = std::sqrt(r2 + depth * depth);
+        return depth * (1 + sigma * d) * std::exp(-sigma * d) / (d * d * d);
+    };
+    for (const double x : {0.0, 1e-3, 4e-3}) {
+        double sum = 0;
+        constexpr int kGrid = 800;
+        const double side = 0.04;
+        for (int i = 0; i < kGrid; ++i)
+            for (int j = 0; j < kGrid; ++j) {
+                const double u = side * ((i + 0.5) / kGrid - 0.5);
+                const double v = side * ((j + 0.5) / kGrid - 0.5);
+                sum += profile(z, u * u + v * v) * profile(delta, (x - u) * (x - u) + v * v);
+            }
+        sum *= side * side / kGrid / kGrid * std::exp(sigma * delta) / (2 * M_PI);
+        const double blurred = static_cast<double>(kernel::dipole_source(
+            static_cast<float>(z), static_cast<float>(sigma), static_cast<float>(delta), static_cast<float>(x * x)));
+        EXPECT_NEAR(blurred, sum, 5e-3 * sum) << x;
     }
-    SurfaceSamples samples;
-    samples.samples.resize(800);
-    samples.area = M_PI;
-    EXPECT_NEAR(smoothedFor(samples, exact).zr.w, 0.01f, 1e-6f);
+}
+
+TEST(Dipole, DenseSamplesLeaveItSharp) {
+    const kernel::DipoleParams exact = dipoleFromTranslucency(Translucency());
     EXPECT_EQ(smoothedFor({}, exact).zr.w, 0);
+    EXPECT_EQ(kernel::dipole_blur(exact.sigmaTr.x, 0), 0);
+    kernel::DipoleParams dense = exact;
+    dense.zr.w = 1e-12f;
+    EXPECT_NEAR(kernel::dipole_rd(dense, 0).x, kernel::dipole_rd(exact, 0).x, 0.01f * kernel::dipole_rd(exact, 0).x);
 }
 
 TEST(Dipole, HandComputedNumbers) {
