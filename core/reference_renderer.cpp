@@ -141,7 +141,7 @@ Vector3f ReferenceRenderer::pathRadiance(int x, int y, std::uint32_t sample) con
     const std::uint32_t seed = scene_.render.seed;
     kernel::vec3 weight;
     const kernel::vec3 wi = kernel::path_scatter(shading, true, kernel::to_local(vertex.n, vertex.wo),
-                                                 kernel::rng_vec2(pixel, sample, 0, seed), weight);
+                                                 kernel::rng_lattice(pixel, sample, 0, seed), weight);
     if (wi.z <= 0) return Vector3f::Zero();
     return follow(vertex, weight, kernel::normalize(kernel::from_local(vertex.n, wi)), pixel, sample, seed);
 }
@@ -191,7 +191,7 @@ std::vector<Vector3f> ReferenceRenderer::irradiance(const SurfaceSamples& sample
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (int j = 0; j < rays; ++j) {
             const auto ray = static_cast<std::uint32_t>(j);
-            const kernel::vec3 wi = kernel::sample_cosine_hemisphere(kernel::rng_vec2(id, ray, 0, seed));
+            const kernel::vec3 wi = kernel::sample_cosine_hemisphere(kernel::rng_lattice(id, ray, 0, seed));
             const kernel::vec3 weight(kernel::fresnel_transmission(eta, wi.z));
             const Vector3f value =
                 follow(vertex, weight, kernel::normalize(kernel::from_local(vertex.n, wi)), id, ray, seed);

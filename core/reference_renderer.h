@@ -22,7 +22,7 @@ namespace core {
 //   T = 1, L = 0
 //   for b = 0 .. N-1:
 //     n  = shading_normal(n, wo)                                   (tilts normals that face away from wo)
-//     u  = rng_vec2(pixel id, s, 2b, seed)
+//     u  = b == 0 ? rng_lattice(pixel id, s, 0, seed) : rng_vec2(pixel id, s, 2b, seed)
 //     wi = path_scatter(S, b == 0, to_local(n, wo), u, weight);    if wi.z <= 0: end
 //     T *= weight;                                                 if T == 0: end
 //     d  = normalize(from_local(n, wi));  o = p + n · marchBias(camera, p.z)
@@ -39,8 +39,8 @@ namespace core {
 // Surface samples: sampleSurface(seed) draws its positions with rng_stream(seed, 2l).
 //
 // Irradiance of surface sample i of label l: pixel id = i, seed = rng_stream(seed, 2l+1), ray j is s = j; b = 0 draws
-// wi = sample_cosine_hemisphere(rng_vec2(i, j, 0, seed)) around the sample's normal with weight = F_t(wi.z) instead of
-// path_scatter; from then on the same loop. Ê = (π/N_rays) Σ radiance.
+// wi = sample_cosine_hemisphere(rng_lattice(i, j, 0, seed)) around the sample's normal with weight = F_t(wi.z) instead
+// of path_scatter; from then on the same loop. Ê = (π/N_rays) Σ radiance.
 //
 // Translucent radiance before the outgoing Fresnel factor: B(p) = (1/π)(Ã/|S|) Σ_i Ê_i R_d(|p − s_i|²) with dipole_rd
 // of the dipole smoothedFor(samples); L_t = F_t(max(n·wo, 0)) · B with n = shading_normal(n, wo).

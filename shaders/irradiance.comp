@@ -29,7 +29,7 @@ void main() {
     vec3 sum = block.firstRay == 0u ? vec3(0.0) : sums[index].rgb;
     for (uint i = 0u; i < block.rayCount; ++i) {
         uint ray = block.firstRay + i;
-        vec3 wi = sample_cosine_hemisphere(rng_vec2(id, ray, 0u, block.seed));
+        vec3 wi = sample_cosine_hemisphere(rng_lattice(id, ray, 0u, block.seed));
         vec3 weight = vec3(fresnel_transmission(block.eta, wi.z));
         vec3 radiance = followPath(p, n, weight, normalize(from_local(n, wi)), id, ray, block.seed, block.bounces);
         if (path_valid(radiance)) sum += radiance;

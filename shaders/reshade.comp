@@ -26,7 +26,7 @@ vec3 pathRadiance(ivec2 pixel, uint sampleIndex) {
     vec3 wo = normalize(-p);
     vec3 n = shading_normal(texelFetch(frontNormalMap, pixel, 0).xyz, wo);
     vec3 weight;
-    vec3 wi = path_scatter(shading[label], true, to_local(n, wo), rng_vec2(id, sampleIndex, 0u, block.seed), weight);
+    vec3 wi = path_scatter(shading[label], true, to_local(n, wo), rng_lattice(id, sampleIndex, 0u, block.seed), weight);
     if (wi.z <= 0.0) return vec3(0.0);
     return followPath(p, n, weight, normalize(from_local(n, wi)), id, sampleIndex, block.seed, block.bounces);
 }

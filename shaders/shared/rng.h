@@ -46,6 +46,14 @@ KERNEL_FN vec2 rng_vec2(uint pixel, uint sampleIndex, uint dimension, uint seed)
     return vec2(rng_to_float(low ? h.x : h.z), rng_to_float(low ? h.y : h.w));
 }
 
+/// The same for the first decision of a path, where even spread pays most: successive samples of one pixel step through
+/// the plane by the lattice of [Rob18] (the plastic number's powers), from a random start. Each number alone is
+/// uniform, so every mean stays what it was; only its noise is less.
+KERNEL_FN vec2 rng_lattice(uint pixel, uint sampleIndex, uint dimension, uint seed) {
+    uvec4 h = rng_hash(uvec4(pixel, 0xffffffffu, dimension, seed));
+    return vec2(rng_to_float(h.x + sampleIndex * 3242174889u), rng_to_float(h.y + sampleIndex * 2447445414u));
+}
+
 /// Seed of a separate sequence (a segment's surface samples), unrelated to that of other streams and of the picture.
 KERNEL_FN uint rng_stream(uint seed, uint stream) { return rng_hash(uvec4(seed, stream, 0x5bd1e995u, 0x9e3779b9u)).x; }
 
