@@ -16,9 +16,10 @@ bool Document::modified() const { return state_ != savedState_; }
 void Document::edit(const std::string& label, const std::function<void(Scene&)>& change, const std::string& mergeKey) {
     Scene next = scene_;
     change(next);
+    if (next == scene_) return;
     const bool merges = !mergeKey.empty() && mergeKey == mergeKey_ && !undo_.empty();
     if (!merges) {
-        undo_.push_back({label, mergeKey, scene_, state_});
+        undo_.push_back({label, scene_, state_});
         if (undo_.size() > kMaxUndoSteps) undo_.erase(undo_.begin());
     }
     mergeKey_ = mergeKey;
@@ -35,7 +36,7 @@ void Document::undo() {
     if (undo_.empty()) return;
     Step step = std::move(undo_.back());
     undo_.pop_back();
-    redo_.push_back({step.label, {}, scene_, state_});
+    redo_.push_back({step.label, scene_, state_});
     mergeKey_.clear();
     replace(std::move(step.scene), step.state);
 }
@@ -44,7 +45,7 @@ void Document::redo() {
     if (redo_.empty()) return;
     Step step = std::move(redo_.back());
     redo_.pop_back();
-    undo_.push_back({step.label, {}, scene_, state_});
+    undo_.push_back({step.label, scene_, state_});
     mergeKey_.clear();
     replace(std::move(step.scene), step.state);
 }

@@ -23,8 +23,9 @@ class Document {
     [[nodiscard]] const std::string& path() const { return path_; }
     [[nodiscard]] bool modified() const;
 
-    /// Replaces the scene. `label` names the step for the undo menu; successive edits with the same non-empty
-    /// `mergeKey` (one slider being dragged) become one undo step until `endMerge`.
+    /// Replaces the scene; no step is made when nothing changed, or when `change` throws. `label` names the step for
+    /// the undo menu; successive edits with the same non-empty `mergeKey` (one slider being dragged) become one undo
+    /// step until `endMerge`.
     void edit(const std::string& label, const std::function<void(Scene&)>& change, const std::string& mergeKey = {});
     void endMerge();
 
@@ -44,7 +45,6 @@ class Document {
   private:
     struct Step {
         std::string label;
-        std::string mergeKey;
         Scene scene;
         std::uint64_t state = 0;
     };

@@ -104,6 +104,9 @@ struct Scene {
     [[nodiscard]] Segment* findSegment(std::uint16_t label);
     /// By number ("2") or by name ("vase"); nullptr when there is none.
     [[nodiscard]] Segment* findSegment(const std::string& labelOrName);
+
+    /// Same values and the same (not only equal) images.
+    bool operator==(const Scene&) const = default;
 };
 
 /// One segment per label in `labels` that has no segment yet (named "segment 7"), sorted by label.
