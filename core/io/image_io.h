@@ -62,5 +62,7 @@ void saveDirectionalMap(const DirectionalMap& map, const std::string& path);
 
 /// Throws Error(Usage) when `path` has no extension that colour can be saved in: to find out before hours of work.
 void requireColorExtension(const std::string& path);
+/// Throws Error(Output) when `path` cannot be written; writes nothing.
+void requireWritable(const std::string& path);
 
 }  // namespace core

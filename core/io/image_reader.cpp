@@ -12,6 +12,7 @@
 #include <functional>
 
 #include "core/io/atomic_file.h"
+#include "core/io/completeness.h"
 
 namespace core {
 
@@ -41,32 +42,6 @@ std::string formatFromContent(const std::string& path) {
         std::string_view(" \t\r\n").find(magic[2]) != std::string_view::npos)
         return "pnm";
     return {};
-}
-
-/// libjpeg pads a file that ends early with grey; whether the end-of-image marker is there has to be looked up.
-bool jpegIsComplete(std::string_view bytes) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
-    std::size_t i = 2;
-    while (i + 1 < bytes.size()) {
-        if (byte(i) != 0xff) {  // entropy-coded data
-            ++i;
-            continue;
-        }
-        const unsigned marker = byte(i + 1);
-        if (marker == 0xd9) return true;
-        if (marker == 0xff) {  // fill byte
-            ++i;
-            continue;
-        }
-        const bool standalone = marker == 0x00 || marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8);
-        if (standalone) {
-            i += 2;
-            continue;
-        }
-        if (i + 3 >= bytes.size()) return false;
-        i += 2 + (std::size_t{byte(i + 2)} << 8U) + byte(i + 3);
-    }
-    return false;
 }
 
 std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
@@ -139,6 +114,8 @@ ImageReader::ImageReader(const std::string& path, Palette palette) : path_(path)
         fail("its content is no image format that Patina reads (expected EXR, PNG, TIFF, JPEG, PFM or HDR)");
     if (format_ == "jpeg" && !jpegIsComplete(readFile(path, kMaxFileSize)))
         fail("the file is truncated (JPEG data without an end)");
+    if (format_ == "tiff" && !tiffIsComplete(readFile(path, kMaxFileSize)))
+        fail("the file is truncated (TIFF data beyond its end)");
     input_ = OIIO::ImageInput::create(format_, false);
     if (!input_) fail("this build of OpenImageIO does not read " + format_ + " files");
     OIIO::ImageSpec config;
@@ -153,6 +130,15 @@ ImageReader::ImageReader(const std::string& path, Palette palette) : path_(path)
     }
     if (!input_->open(path, spec_, config)) fail(input_->geterror());
     checkHeader();
+    if (format_ == "png" && pngBits() < 8) spec_["oiio:BitsPerSample"] = pngBits();
+}
+
+/// PNG rows of 1, 2 or 4 bits arrive expanded to 8, without a word about it.
+int ImageReader::pngBits() const {
+    constexpr std::streamoff kBitDepth = 24;
+    std::ifstream file(path_, std::ios::binary);
+    file.seekg(kBitDepth);
+    return file.get();
 }
 
 ImageReader::~ImageReader() {

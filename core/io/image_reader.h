@@ -50,6 +50,7 @@ class ImageReader {
 
   private:
     void checkHeader() const;
+    [[nodiscard]] int pngBits() const;
     void readRegion(int channelBegin, int channelEnd, float* target);
     [[nodiscard]] bool dataFillsDisplay() const;
 

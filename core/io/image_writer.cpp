@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/filesystem.h>
 
 #include <algorithm>
 #include <cctype>
@@ -9,6 +9,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/image_io.h"
+#include "core/io/image_writer.h"
 #include "core/srgb.h"
 
 namespace core {
@@ -66,20 +67,7 @@ OIIO::ImageSpec makeSpec(int width, int height, int channels, OIIO::TypeDesc typ
 
 void write(const std::string& path, Format format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
            const void* pixels) {
-    AtomicFile file(path);
-    const auto fail = [&](std::string reason) {
-        while (!reason.empty() && (reason.back() == '\n' || reason.back() == '.')) reason.pop_back();
-        throw Error(ErrorKind::Output, "Cannot write \"" + path + "\": " + reason + ".");
-    };
-    const auto output = OIIO::ImageOutput::create(pluginName(format));
-    if (!output) fail(std::string("this build of OpenImageIO does not write ") + pluginName(format) + " files");
-    if (!output->open(file.temporaryPath(), spec)) fail(output->geterror());
-    const bool written = output->write_image(type, pixels);
-    const std::string reason = written ? std::string() : output->geterror();
-    const bool closed = output->close();
-    if (!written) fail(reason);
-    if (!closed) fail(output->geterror());
-    file.commit();
+    writeImage(path, pluginName(format), spec, type, pixels);
 }
 
 std::vector<std::uint16_t> quantize(std::span<const float> values, float scale, float offset) {
@@ -114,7 +102,30 @@ void writeIntegers(const std::vector<std::uint16_t>& samples, int width, int hei
 
 }  // namespace
 
+void writeImage(const std::string& path, const char* format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
+                const void* pixels) {
+    const auto fail = [&](std::string reason) {
+        while (!reason.empty() && (reason.back() == '\n' || reason.back() == '.')) reason.pop_back();
+        throw Error(ErrorKind::Output, "Cannot write \"" + path + "\": " + reason + ".");
+    };
+    AtomicFile file(path);
+    const auto output = OIIO::ImageOutput::create(format);
+    if (!output) fail(std::string("this build of OpenImageIO does not write ") + format + " files");
+    // Into memory first: on a full disk the PNG writer says nothing and the JPEG writer ends the program. TIFF reports
+    // its errors, and what OpenImageIO 2.4 writes to memory is damaged.
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const bool inMemory =
+        std::string_view(format) != "tiff" && output->supports("ioproxy") != 0 && output->set_ioproxy(&memory);
+    if (!output->open(inMemory ? path : file.temporaryPath(), spec)) fail(output->geterror());
+    if (!output->write_image(type, pixels)) fail(output->geterror());
+    if (!output->close()) fail(output->geterror());
+    if (!inMemory) return file.commit();
+    writeFileAtomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
 void requireColorExtension(const std::string& path) { (void)formatOf(path); }
+void requireWritable(const std::string& path) { const AtomicFile probe(path); }
 
 void saveColor(const ImageRgb& image, const std::string& path) {
     const Format format = formatOf(path);

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/io/image_io.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/image_files.h"
+
+using core::ErrorKind;
+using core::Vector3f;
+
+namespace {
+
+/// IEC 61966-2-1, in double.
+double srgbToLinear(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
+
+void expectColor(const Vector3f& found, double r, double g, double b, double tolerance = 1e-6) {
+    EXPECT_NEAR(static_cast<double>(found.x()), r, tolerance);
+    EXPECT_NEAR(static_cast<double>(found.y()), g, tolerance);
+    EXPECT_NEAR(static_cast<double>(found.z()), b, tolerance);
+}
+
+std::string s15Fixed16(double value) {
+    return test::bigEndian32(static_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(value * 65536))));
+}
+
+/// A matrix/gamma RGB profile of ICC version 2, byte by byte (columns: D50 XYZ of red, green, blue).
+std::vector<std::uint8_t> iccProfile(const double (&xyz)[3][3], double gamma) {
+    const auto xyzTag = [](double x, double y, double z) {
+        return std::string("XYZ \0\0\0\0", 8) + s15Fixed16(x) + s15Fixed16(y) + s15Fixed16(z);
+    };
+    const auto fixed8 = static_cast<unsigned>(std::lround(gamma * 256));
+    std::string curve = std::string("curv\0\0\0\0\0\0\0\1", 12);
+    curve += {static_cast<char>(fixed8 >> 8U), static_cast<char>(fixed8 & 255U), 0, 0};
+    std::vector<std::pair<std::string, std::string>> tags{
+        {"desc", std::string("desc\0\0\0\0\0\0\0\2t\0", 14) + std::string(78, '\0')},
+        {"cprt", std::string("text\0\0\0\0none", 12) + std::string(4, '\0')},
+        {"wtpt", xyzTag(0.9642, 1, 0.8249)}};
+    const char* names[] = {"rXYZ", "gXYZ", "bXYZ"};
+    for (int i = 0; i < 3; ++i) tags.emplace_back(names[i], xyzTag(xyz[0][i], xyz[1][i], xyz[2][i]));
+    for (const char* name : {"rTRC", "gTRC", "bTRC"}) tags.emplace_back(name, curve);
+    std::string table = test::bigEndian32(static_cast<std::uint32_t>(tags.size()));
+    std::string data;
+    for (const auto& [name, content] : tags) {
+        const std::size_t offset = 128 + 4 + 12 * tags.size() + data.size();
+        table += name + test::bigEndian32(static_cast<std::uint32_t>(offset)) +
+                 test::bigEndian32(static_cast<std::uint32_t>(content.size()));
+        data += content;
+        data.resize((data.size() + 3) / 4 * 4);
+    }
+    std::string header(128, '\0');
+    header.replace(0, 4, test::bigEndian32(static_cast<std::uint32_t>(128 + table.size() + data.size())));
+    header.replace(8, 4, std::string("\2\x20\0\0", 4));
+    header.replace(12, 12, "mntrRGB XYZ ");
+    header.replace(36, 4, "acsp");
+    header.replace(68, 12, s15Fixed16(0.9642) + s15Fixed16(1) + s15Fixed16(0.8249));
+    const std::string all = header + table + data;
+    return {all.begin(), all.end()};
+}
+
+class ReadTest : public testing::Test {
+  protected:
+    test::TempFolder folder;
+};
+
+}  // namespace
+
+TEST_F(ReadTest, PfmIsLinearAndTopDown) {
+    const std::string path = folder / "a.pfm";
+    test::writePfm(path, 2, 2, 3, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+    const core::ImageRgb image = core::loadColor(path);
+    ASSERT_EQ(image.width(), 2);
+    ASSERT_EQ(image.height(), 2);
+    expectColor(image(0, 0), 1, 2, 3);
+    expectColor(image(1, 1), 10, 11, 12);
+}
+
+TEST_F(ReadTest, EightBitIsDecodedBySrgb) {
+    const std::string path = folder / "a.ppm";
+    test::writePnm8(path, 2, 1, 3, {0, 5, 10, 128, 200, 255});
+    const core::ImageRgb image = core::loadColor(path);
+    expectColor(image(0, 0), 0, srgbToLinear(5 / 255.0), srgbToLinear(10 / 255.0));
+    expectColor(image(1, 0), srgbToLinear(128 / 255.0), srgbToLinear(200 / 255.0), 1);
+}
+
+TEST_F(ReadTest, SixteenBitPngIsDecodedBySrgbAndAlphaIsIgnored) {
+    const std::string path = folder / "a.png";
+    test::writeBytes(path, test::pngBytes(1, 1, 16, 6, {std::string("\x03\xe8\x80\x00\xff\xff\x40\x00", 8)}));
+    const core::ImageRgb image = core::loadColor(path);
+    expectColor(image(0, 0), srgbToLinear(1000 / 65535.0), srgbToLinear(32768 / 65535.0), 1);
+}
+
+TEST_F(ReadTest, GreyAndPaletteAreExpanded) {
+    test::writePnm8(folder / "grey.pgm", 1, 1, 1, {128});
+    expectColor(core::loadColor(folder / "grey.pgm")(0, 0), srgbToLinear(128 / 255.0), srgbToLinear(128 / 255.0),
+                srgbToLinear(128 / 255.0));
+    test::writeBytes(folder / "palette.png",
+                     test::pngBytes(1, 1, 8, 3, {std::string(1, '\1')}, std::string("\0\0\0\xff\0\x80", 6)));
+    expectColor(core::loadColor(folder / "palette.png")(0, 0), 1, 0, srgbToLinear(128 / 255.0));
+}
+
+TEST_F(ReadTest, GammaChunkIsObeyed) {
+    std::string png = test::pngBytes(1, 1, 8, 2, {std::string("\x80\x80\x80", 3)});
+    const std::size_t afterHeader = 8 + 25;
+    png.insert(afterHeader, test::pngChunk("gAMA", test::bigEndian32(100000)));
+    test::writeBytes(folder / "linear.png", png);
+    expectColor(core::loadColor(folder / "linear.png")(0, 0), 128 / 255.0, 128 / 255.0, 128 / 255.0, 1e-5);
+}
+
+TEST_F(ReadTest, IccProfileDecidesColour) {
+    // Adobe RGB primaries as D50 XYZ, gamma 2.2 (563/256); truth: D50 XYZ to linear sRGB by Bradford, in double.
+    const double adobe[3][3] = {{0.60974, 0.20528, 0.14919}, {0.31111, 0.62567, 0.06322}, {0.01947, 0.06087, 0.74457}};
+    const double fromD50[3][3] = {
+        {3.1338561, -1.6168667, -0.4906146}, {-0.9787684, 1.9161415, 0.0334540}, {0.0719453, -0.2289914, 1.4052427}};
+    const double gamma = 563 / 256.0;
+    const std::vector<std::uint8_t> profile = iccProfile(adobe, gamma);
+    OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeUInt8);
+    spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size())),
+                   profile.data());
+    const std::uint8_t pixel[] = {180, 150, 90};
+    test::writeWith("tiff", folder / "adobe.tif", spec, OIIO::TypeUInt8, pixel);
+
+    double linear[3] = {0, 0, 0};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            for (int k = 0; k < 3; ++k) linear[i] += fromD50[i][j] * adobe[j][k] * std::pow(pixel[k] / 255.0, gamma);
+    expectColor(core::loadColor(folder / "adobe.tif")(0, 0), linear[0], linear[1], linear[2], 1e-3);
+    EXPECT_GT(std::abs(linear[0] - srgbToLinear(180 / 255.0)), 0.01) << "the profile has to make a difference";
+}
+
+TEST_F(ReadTest, NonFiniteIsZeroAndNegativeIsClamped) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float inf = std::numeric_limits<float>::infinity();
+    test::writePfm(folder / "a.pfm", 2, 1, 3, {nan, 0.5f, inf, -inf, -1, 2});
+    const core::ImageRgb image = core::loadColor(folder / "a.pfm");
+    expectColor(image(0, 0), 0, 0.5, 0);
+    expectColor(image(1, 0), 0, 0, 2);
+}
+
+TEST_F(ReadTest, ExrChannelsByNameAlsoInLayers) {
+    OIIO::ImageSpec spec(1, 1, 5, OIIO::TypeFloat);
+    spec.channelnames = {"View.Combined.A", "View.Combined.B", "View.Combined.G", "View.Combined.R", "View.Depth.Z"};
+    const float pixel[] = {0.25f, 3, 2, 1, 7};
+    test::writeWith("openexr", folder / "layers.exr", spec, OIIO::TypeFloat, pixel);
+    expectColor(core::loadColor(folder / "layers.exr")(0, 0), 1, 2, 3);
+    EXPECT_EQ(core::loadScalar(folder / "layers.exr")(0, 0), 7);
+    EXPECT_TRUE(core::readImageInfo(folder / "layers.exr").hasDepthChannel);
+}
+
+TEST_F(ReadTest, ExrDataWindowIsPlacedInDisplayWindow) {
+    OIIO::ImageSpec spec(2, 1, 3, OIIO::TypeFloat);
+    spec.x = 2;
+    spec.y = 1;
+    spec.full_width = 3;  // the second data pixel is overscan
+    spec.full_height = 3;
+    const float pixels[] = {1, 2, 3, 4, 5, 6};
+    test::writeWith("openexr", folder / "window.exr", spec, OIIO::TypeFloat, pixels);
+    const core::ImageRgb image = core::loadColor(folder / "window.exr");
+    ASSERT_EQ(image.width(), 3);
+    ASSERT_EQ(image.height(), 3);
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 3; ++x) {
+            const bool inside = x == 2 && y == 1;
+            expectColor(image(x, y), inside ? 1 : 0, inside ? 2 : 0, inside ? 3 : 0);
+        }
+}
+
+TEST_F(ReadTest, ExrChromaticitiesAreConverted) {
+    // Rec.2020 red is outside Rec.709: more than 1 in red, negative elsewhere (clamped to 0).
+    OIIO::ImageSpec spec(2, 1, 3, OIIO::TypeFloat);
+    const float rec2020[] = {0.708f, 0.292f, 0.170f, 0.797f, 0.131f, 0.046f, 0.3127f, 0.3290f};
+    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), rec2020);
+    const float pixels[] = {1, 0, 0, 0.5f, 0.5f, 0.5f};
+    test::writeWith("openexr", folder / "rec2020.exr", spec, OIIO::TypeFloat, pixels);
+    const core::ImageRgb image = core::loadColor(folder / "rec2020.exr");
+    expectColor(image(0, 0), 1.6605, 0, 0, 1e-3);  // ITU-R BT.2087
+    expectColor(image(1, 0), 0.5, 0.5, 0.5, 1e-5);
+}
+
+TEST_F(ReadTest, OrientationTurnsTheRaster) {
+    // 3x2 stored; what every EXIF orientation displays, row by row.
+    const std::uint8_t stored[] = {1, 2, 3, 4, 5, 6};
+    const std::vector<std::vector<int>> displayed = {{1, 2, 3, 4, 5, 6}, {3, 2, 1, 6, 5, 4}, {6, 5, 4, 3, 2, 1},
+                                                     {4, 5, 6, 1, 2, 3}, {1, 4, 2, 5, 3, 6}, {4, 1, 5, 2, 6, 3},
+                                                     {6, 3, 5, 2, 4, 1}, {3, 6, 2, 5, 1, 4}};
+    for (int orientation = 1; orientation <= 8; ++orientation) {
+        OIIO::ImageSpec spec(3, 2, 1, OIIO::TypeUInt8);
+        spec["Orientation"] = orientation;
+        test::writeWith("tiff", folder / "o.tif", spec, OIIO::TypeUInt8, stored);
+        const core::LabelImage labels = core::loadLabels(folder / "o.tif");
+        ASSERT_EQ(labels.width(), orientation >= 5 ? 2 : 3) << orientation;
+        for (std::size_t i = 0; i < 6; ++i)
+            EXPECT_EQ(labels[i], displayed[static_cast<std::size_t>(orientation - 1)][i]) << orientation << " " << i;
+        const core::ImageInfo info = core::readImageInfo(folder / "o.tif");
+        EXPECT_EQ(info.width, labels.width());
+        EXPECT_EQ(info.orientation, orientation);
+    }
+}
+
+TEST_F(ReadTest, ScalarTakesZThenYThenFirst) {
+    const float pixel[] = {1, 2, 3};
+    const auto write = [&](const std::vector<std::string>& names) {
+        OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeFloat);
+        spec.channelnames = names;
+        test::writeWith("openexr", folder / "s.exr", spec, OIIO::TypeFloat, pixel);
+        return core::loadScalar(folder / "s.exr")(0, 0);
+    };
+    EXPECT_EQ(write({"P", "Y", "Z"}), 3);
+    EXPECT_EQ(write({"P", "X", "Y"}), 3);
+    EXPECT_EQ(write({"P", "Q", "S"}), 1);
+}
+
+TEST_F(ReadTest, ScalarKeepsStoredIntegers) {
+    test::writeBytes(folder / "d.png", test::pngBytes(3, 1, 16, 0, {std::string("\x00\x01\x1f\x5a\xff\xff", 6)}));
+    const core::ImageF depth = core::loadScalar(folder / "d.png");
+    EXPECT_EQ(depth(0, 0), 1);
+    EXPECT_EQ(depth(1, 0), 8026);
+    EXPECT_EQ(depth(2, 0), 65535);
+    EXPECT_EQ(core::storedFormat(folder / "d.png").bits, 16);
+    EXPECT_FALSE(core::storedFormat(folder / "d.png").floating);
+}
+
+TEST_F(ReadTest, PalettePngGivesIndicesNotColours) {
+    const std::string palette("\x10\x10\x10\x10\x10\x10\xff\x00\x00\x10\x10\x10", 12);  // entries that look the same
+    test::writeBytes(folder / "p8.png", test::pngBytes(4, 1, 8, 3, {std::string("\0\1\2\3", 4)}, palette));
+    test::writeBytes(folder / "p2.png", test::pngBytes(4, 1, 2, 3, {std::string(1, '\x1b')}, palette));
+    test::writeBytes(folder / "p4.png", test::pngBytes(4, 1, 4, 3, {std::string("\x01\x23", 2)}, palette));
+    test::writeBytes(folder / "g2.png", test::pngBytes(4, 1, 2, 0, {std::string(1, '\x1b')}));
+    for (const char* name : {"p8.png", "p2.png", "p4.png", "g2.png"}) {
+        const core::LabelImage labels = core::loadLabels(folder / name);
+        for (int x = 0; x < 4; ++x) EXPECT_EQ(labels(x, 0), x) << name;
+    }
+}
+
+TEST_F(ReadTest, LabelsOf16BitAndWholeFloats) {
+    test::writeBytes(folder / "l.png", test::pngBytes(2, 1, 16, 0, {std::string("\x01\x2c\xff\xff", 4)}));
+    EXPECT_EQ(core::loadLabels(folder / "l.png")(0, 0), 300);
+    EXPECT_EQ(core::loadLabels(folder / "l.png")(1, 0), 65535);
+    test::writePfm(folder / "l.pfm", 2, 1, 1, {3, 65535});
+    EXPECT_EQ(core::loadLabels(folder / "l.pfm")(0, 0), 3);
+}
+
+TEST_F(ReadTest, LabelsThatAreNoneAreRefused) {
+    test::writePfm(folder / "half.pfm", 1, 1, 1, {0.5f});
+    test::expectError(ErrorKind::Input, {"half.pfm", "0.5", "whole numbers"},
+                      [&] { (void)core::loadLabels(folder / "half.pfm"); });
+    test::writePfm(folder / "big.pfm", 1, 1, 1, {70000});
+    test::expectError(ErrorKind::Input, {"big.pfm", "70000"}, [&] { (void)core::loadLabels(folder / "big.pfm"); });
+    test::writePnm8(folder / "rgb.ppm", 1, 1, 3, {1, 2, 3});
+    test::expectError(ErrorKind::Input, {"rgb.ppm", "colour picture"},
+                      [&] { (void)core::loadLabels(folder / "rgb.ppm"); });
+    test::writePnm8(folder / "grey.ppm", 1, 1, 3, {7, 7, 7});
+    EXPECT_EQ(core::loadLabels(folder / "grey.ppm")(0, 0), 7);
+}
+
+TEST_F(ReadTest, FormatIsKnownByContent) {
+    test::writePnm8(folder / "really_a.jpg", 1, 1, 3, {255, 255, 255});
+    expectColor(core::loadColor(folder / "really_a.jpg")(0, 0), 1, 1, 1);
+}
