@@ -65,6 +65,9 @@ int main(int argc, char** argv) {
         "`patina-cli COMMAND --help` explains a command.");
     cli::addCreate(app, session);
     cli::addInfo(app, session);
+    cli::addExport(app, session);
+    cli::addRender(app, session);
+    cli::addDevices(app, session);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) {

@@ -31,6 +31,9 @@ struct Session {
 // One function per command: declares its options and help, and sets `session.run` when it is chosen.
 void addCreate(CLI::App& app, Session& session);
 void addInfo(CLI::App& app, Session& session);
+void addExport(CLI::App& app, Session& session);
+void addRender(CLI::App& app, Session& session);
+void addDevices(CLI::App& app, Session& session);
 
 /// Reports progress to stderr (one rewritten line on a terminal, else a line per step and tenth) and stops the work on
 /// SIGINT.

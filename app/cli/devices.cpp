@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/devices.h"
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/session.h"
+#include "gpu/instance.h"
+
+namespace cli {
+
+namespace {
+
+const char* typeName(gpu::AdapterType type) {
+    switch (type) {
+        case gpu::AdapterType::DiscreteGPU:
+            return "discrete";
+        case gpu::AdapterType::IntegratedGPU:
+            return "integrated";
+        case gpu::AdapterType::VirtualGPU:
+            return "virtual";
+        case gpu::AdapterType::CPU:
+            return "software";
+        case gpu::AdapterType::Unknown:
+            return "unknown";
+    }
+    return "unknown";
+}
+
+void listDevices(bool json) {
+    const gpu::Instance instance = gpu::Instance::create();
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const gpu::Adapter& adapter : instance.adapters()) {
+        const gpu::AdapterInfo& info = adapter.info();
+        const std::string version = std::to_string(info.apiVersionMajor) + "." + std::to_string(info.apiVersionMinor);
+        if (!json)
+            std::printf("%zu  %s (%s, Vulkan %s, %s)\n", list.size(), info.name.c_str(), typeName(info.type),
+                        version.c_str(), info.driver.c_str());
+        list.push_back({{"index", list.size()},
+                        {"name", info.name},
+                        {"type", typeName(info.type)},
+                        {"vendor", info.vendor},
+                        {"driver", info.driver},
+                        {"vulkan", version}});
+    }
+    if (json) std::cout << nlohmann::ordered_json{{"devices", list}}.dump(2) << '\n';
+    if (list.empty()) throw gpu::Error(gpu::ErrorKind::NoAdapter, "There is no graphics device with Vulkan 1.1.");
+}
+
+}  // namespace
+
+gpu::Device openDevice(const Session& session) {
+    const gpu::Adapter adapter = gpu::Instance::create().requestAdapter({.device = session.device});
+    std::fprintf(stderr, "patina-cli: Rendering on %s.\n", adapter.info().name.c_str());
+    return adapter.requestDevice({.label = "patina-cli"});
+}
+
+void addDevices(CLI::App& app, Session& session) {
+    const auto json = std::make_shared<bool>(false);
+    CLI::App* command = app.add_subcommand("devices", "List the graphics devices that can be used");
+    command->footer("The number or a part of the name is what --device takes.");
+    command->add_flag("--json", *json, "Print one JSON document");
+    command->callback([&session, json] { session.run = [json] { listDevices(*json); }; });
+}
+
+}  // namespace cli

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/cli/devices.h"
+#include "app/cli/session.h"
+#include "core/io/image_io.h"
+#include "core/io/project.h"
+#include "core/pipeline.h"
+#include "core/render/renderer.h"
+
+namespace cli {
+
+namespace {
+
+struct Arguments {
+    std::string project;
+    std::vector<std::string> edits;
+    std::vector<std::string> reflectances;
+    int samples = 0;
+    int bounces = 0;
+    std::uint32_t seed = 1;
+    std::string environment;
+    std::string backDepth;
+    bool noFilter = false;
+    std::string output;
+};
+
+struct Edits {
+    std::vector<std::pair<std::string, core::Material>> materials;
+    std::vector<std::pair<std::string, core::Vector3f>> reflectances;
+};
+
+/// Everything that can be wrong with the edits by themselves, before anything is loaded.
+Edits parseEdits(const Arguments& args) {
+    Edits edits;
+    for (const std::string& text : args.edits) {
+        const auto [label, json] = parseAssignment("--edit", text);
+        try {
+            edits.materials.emplace_back(label, core::materialFromJson(json));
+        } catch (const core::Error& error) {
+            throw error.withContext("In --edit of \"" + label + "\".");
+        }
+    }
+    for (const std::string& text : args.reflectances) {
+        const auto [label, value] = parseAssignment("--reflectance", text);
+        const std::vector<float> rgb = parseNumbers("--reflectance", value, 3);
+        for (const float component : rgb)
+            if (!(component >= 1e-4f && component <= 100.0f))
+                throw core::Error(core::ErrorKind::Usage,
+                                  "--reflectance is \"" + text + "\", expected numbers in [0.0001, 100].");
+        edits.reflectances.emplace_back(label, core::Vector3f(rgb[0], rgb[1], rgb[2]));
+    }
+    return edits;
+}
+
+void render(const Arguments& args, bool samplesGiven, bool bouncesGiven, bool seedGiven, const Session& session) {
+    const Edits edits = parseEdits(args);
+    core::requireColorExtension(args.output);
+    core::Scene scene = loadScene(args.project);
+    if (!args.environment.empty()) {
+        scene.environment.path = args.environment;
+        scene.environment.image = core::loadEnvironment(args.environment);
+    }
+    if (!args.backDepth.empty()) {
+        scene.backDepthPath = args.backDepth;
+        scene.backDepth = core::loadBackDepth(args.backDepth, scene.photo->camera);
+    }
+    refuseOverwritingInput(scene, args.project, args.output);
+    for (const auto& [label, material] : edits.materials) requireSegment(scene, label).edit = material;
+    for (const auto& [label, rho] : edits.reflectances) requireSegment(scene, label).reflectance = rho;
+    if (samplesGiven) scene.render.samples = args.samples;
+    if (bouncesGiven) scene.render.bounces = args.bounces;
+    if (seedGiven) scene.render.seed = args.seed;
+    if (args.noFilter) scene.render.filter = false;
+    core::requireWritable(args.output);
+
+    const gpu::Device device = openDevice(session);
+    const core::StepContext context = makeStepContext();
+    const std::shared_ptr<const core::Analysis> analysis = core::AnalysisPipeline().run(scene, context);
+    const core::ImageRgb result = render::renderImage(device, scene, analysis, context);
+    finishProgress();
+    core::saveColor(result, args.output);
+}
+
+}  // namespace
+
+void addRender(CLI::App& app, Session& session) {
+    const auto args = std::make_shared<Arguments>();
+    CLI::App* command = app.add_subcommand("render", "Apply edits and write the picture");
+    command->footer(
+        "An edit is LABEL=JSON; LABEL is the number in the label map or the segment's name. Keys of the JSON object, "
+        "all\n"
+        "optional but \"brdf\":\n"
+        "  \"brdf\"          \"none\", \"lambert\", \"phong\", \"ggx\"\n"
+        "  \"albedo\"        [r, g, b], diffuse colour\n"
+        "  \"specular\"      [r, g, b], or \"estimated\" (the default) from the photograph\n"
+        "  \"exponent\"      of \"phong\";   \"alpha\": roughness of \"ggx\"\n"
+        "  \"fresnel\"       \"none\", \"schlick\", \"dielectric\", \"conductor\", with \"eta\" and \"k\"\n"
+        "  \"blend\"         {\"new\": 1, \"original\": 0}, weights of the new and the old picture\n"
+        "  \"translucency\"  {\"preset\": \"marble\"}, {\"sigma_a\": [..], \"sigma_s_prime\": [..]} in 1/mm, or\n"
+        "                  {\"diffuse_color\": [..], \"mean_free_path_mm\": [..]}; each with \"eta\", \"scale\", "
+        "\"weight\"\n\n"
+        "The same project, options, seed and device give the same bytes.\n\n"
+        "Example:\n"
+        "  patina-cli render studio.patina --edit 'vase={\"brdf\": \"ggx\", \"alpha\": 0.35}' -o rough.png");
+    command->add_option("project", args->project, "Project file")->required()->type_name("P.patina");
+    command->add_option("--edit", args->edits, "Change a segment's material; may be given several times")
+        ->type_name("LABEL=JSON")
+        ->expected(1)
+        ->take_all();
+    CLI::Option* samples = command->add_option("--samples", args->samples, "Paths per pixel")
+                               ->type_name("N")
+                               ->check(CLI::Range(1, 1'000'000));
+    CLI::Option* bounces = command->add_option("--bounces", args->bounces, "Surfaces a path may visit")
+                               ->type_name("N")
+                               ->check(CLI::Range(1, 64));
+    CLI::Option* seed = command->add_option("--seed", args->seed, "Seed of the random numbers")->type_name("N");
+    command
+        ->add_option("--environment", args->environment,
+                     "Use this latitude-longitude map instead of the recovered light")
+        ->type_name("FILE");
+    command->add_option("--back-depth", args->backDepth, "Use these back sides instead of invented ones")
+        ->type_name("FILE");
+    command
+        ->add_option("--reflectance", args->reflectances,
+                     "Reflectance of a glossy segment instead of the estimated one; may be given several times")
+        ->type_name("LABEL=R,G,B")
+        ->expected(1)
+        ->take_all();
+    command->add_flag("--no-filter", args->noFilter, "Leave the noise in");
+    command->add_option("-o,--output", args->output, "Picture to write: .exr, .hdr (linear), .png, .tif, .jpg (sRGB)")
+        ->required()
+        ->type_name("FILE");
+    command->callback([&session, args, samples, bounces, seed] {
+        session.run = [&session, args, samples, bounces, seed] {
+            render(*args, samples->count() > 0, bounces->count() > 0, seed->count() > 0, session);
+        };
+    });
+}
+
+}  // namespace cli

@@ -1,0 +1,262 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the real patina-cli: every command, every exit code. Usage: cli_test.py PROGRAM SAMPLES [unittest options]"""
+import json
+import os
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import zlib
+
+PROGRAM, SAMPLES = sys.argv.pop(1), sys.argv.pop(1)
+STUDIO = os.path.join(SAMPLES, "studio", "studio.patina")
+
+
+def png(path, rows, bits=8, color_type=0):
+    """A PNG of rows of integers (grey or interleaved)."""
+    packed = b"".join(b"\0" + struct.pack(">%d%s" % (len(r), "H" if bits == 16 else "B"), *r) for r in rows)
+    width = len(rows[0]) // (3 if color_type == 2 else 1)
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    with open(path, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, len(rows), bits, color_type, 0, 0, 0))
+                   + chunk(b"IDAT", zlib.compress(packed)) + chunk(b"IEND", b""))
+
+
+def png_size(path):
+    with open(path, "rb") as file:
+        head = file.read(24)
+    assert head[:8] == b"\x89PNG\r\n\x1a\n", path
+    return struct.unpack(">II", head[16:24])
+
+
+def pfm(path, width, height, values):
+    with open(path, "wb") as file:
+        file.write(b"Pf\n%d %d\n-1.0\n" % (width, height) + struct.pack("<%df" % len(values), *values))
+
+
+class CliTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp(prefix="patina-cli-")
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def run_cli(self, *args, code=0, env=None, stdout=subprocess.PIPE):
+        result = subprocess.run([PROGRAM, *args], stdout=stdout, stderr=subprocess.PIPE, text=True, timeout=600,
+                                env=dict(os.environ, **(env or {})))
+        self.assertEqual(result.returncode, code, "%s\n%s" % (" ".join(args), result.stderr))
+        return result
+
+    def fails(self, code, parts, *args, **options):
+        """The command fails with this exit code and a message with these parts, and prints nothing on stdout."""
+        result = self.run_cli(*args, code=code, **options)
+        for part in parts:
+            self.assertIn(part, result.stderr)
+        if result.stdout is not None:
+            self.assertEqual(result.stdout, "")
+        return result
+
+    def small_project(self):
+        """48x32: a near square of label 1 before a far wall of label 2."""
+        width, height = 48, 32
+        near = [[16 <= x < 32 and 8 <= y < 24 for x in range(width)] for y in range(height)]
+        png(self.path("color.png"), [[v for x in range(width) for v in ((200, 120, 60) if near[y][x] else (90, 110, 130))]
+                                     for y in range(height)], color_type=2)
+        png(self.path("depth.png"), [[800 if near[y][x] else 1200 for x in range(width)] for y in range(height)], bits=16)
+        png(self.path("labels.png"), [[1 if near[y][x] else 2 for x in range(width)] for y in range(height)])
+        self.run_cli("create", "--color", self.path("color.png"), "--depth", self.path("depth.png"), "--segments",
+                     self.path("labels.png"), "--glossy", "1", "--hfov", "60", "-o", self.path("p.patina"))
+        return self.path("p.patina")
+
+
+class UsageTest(CliTest):
+    def test_help_and_version(self):
+        text = self.run_cli("--help").stdout
+        for command in ("create", "info", "export", "render", "devices"):
+            self.assertIn(command, text)
+            self.assertIn("Usage:", self.run_cli(command, "--help").stdout)
+        self.assertRegex(self.run_cli("--version").stdout, r"^patina-cli \d+\.\d+")
+
+    def test_wrong_usage(self):
+        self.run_cli(code=2)
+        self.run_cli("paint", code=2)
+        self.run_cli("info", code=2)
+        self.run_cli("info", STUDIO, "--jsno", code=2)
+        self.run_cli("create", "--color", "a.png", code=2)
+        self.run_cli("create", "--color", "a", "--depth-kind", "fuzzy", "-o", "b", code=2)
+        self.run_cli("create", "--color", "a", "--hfov", "60", "--intrinsics", "1,1,1,1", "-o", "b", code=2)
+        self.fails(2, ["--intrinsics", "1,2,3"], "create", "--color", "a", "--intrinsics", "1,2,3", "-o", "b")
+
+    def test_labels_and_layers_that_do_not_exist(self):
+        project = self.small_project()
+        self.fails(2, ["\"9\"", "1, 2"], "create", "--color", self.path("color.png"), "--depth", self.path("depth.png"),
+                   "--segments", self.path("labels.png"), "--glossy", "9", "-o", self.path("q.patina"))
+        self.fails(2, ["nose"], "render", project, "--edit", 'nose={"brdf":"ggx"}', "-o", self.path("o.png"))
+        self.fails(2, ["77"], "render", project, "--reflectance", "77=1,1,1", "-o", self.path("o.png"))
+        self.fails(2, ["beauty", "normals"], "export", project, "--layer", "beauty", "-o", self.path("o.png"))
+        self.fails(2, ["77"], "export", project, "--layer", "reflected:77", "-o", self.path("o.png"))
+        self.fails(2, ["not glossy"], "export", project, "--layer", "incident:2", "-o", self.path("o.png"))
+
+    def test_edits_that_are_wrong(self):
+        project = self.small_project()
+        for edit, parts in (('1', ["LABEL=VALUE"]), ('1={"brdf":', ["JSON", "damaged"]),
+                            ('1={"brdf":"ggx","alpha":5}', ["alpha", "is 5", "[0.01, 1]"]),
+                            ('1={"brdf":"ggx","shiny":1}', ["shiny", "unknown"]),
+                            ('1={"brdf":"velvet"}', ["velvet", "phong"])):
+            self.fails(2, parts, "render", project, "--edit", edit, "-o", self.path("o.png"))
+        self.fails(2, ["-1"], "render", project, "--reflectance", "1=-1,1,1", "-o", self.path("o.png"))
+        self.run_cli("render", project, "--samples", "0", "-o", self.path("o.png"), code=2)
+        self.fails(2, [".bmp", ".exr"], "render", project, "-o", self.path("o.bmp"))
+
+    def test_inputs_are_never_overwritten(self):
+        project = self.small_project()
+        with open(self.path("color.png"), "rb") as file:
+            before = file.read()
+        os.symlink(self.path("color.png"), self.path("link.png"))
+        for name in ("color.png", "link.png", "labels.png"):
+            self.fails(2, ["is an input"], "render", project, "-o", self.path(name))
+            self.fails(2, ["is an input"], "export", project, "--layer", "color", "-o", self.path(name))
+        with open(self.path("color.png"), "rb") as file:
+            self.assertEqual(file.read(), before)
+
+
+class InputTest(CliTest):
+    def test_unusable_inputs(self):
+        project = self.small_project()
+        create = ["create", "--depth", self.path("depth.png"), "-o", self.path("q.patina"), "--color"]
+        self.fails(3, ["none.png", "does not exist"], *create, self.path("none.png"))
+        self.fails(3, ["none.patina", "does not exist"], "info", self.path("none.patina"))
+        png(self.path("small.png"), [[1] * 10] * 10, bits=16)
+        self.fails(3, ["Depth image size (10x10) differs from colour image size (48x32)"], "create", "--color",
+                   self.path("color.png"), "--depth", self.path("small.png"), "-o", self.path("q.patina"))
+        exr = os.path.join(SAMPLES, "studio", "color.exr")
+        with open(exr, "rb") as file:
+            whole = file.read()
+        with open(self.path("cut.exr"), "wb") as file:
+            file.write(whole[:len(whole) // 2])
+        self.fails(3, ["cut.exr"], *create, self.path("cut.exr"))
+        pfm(self.path("nan.pfm"), 48, 32, [float("nan")] * (48 * 32))
+        self.fails(3, ["nan.pfm", "no valid pixel"], "create", "--color", self.path("color.png"), "--depth",
+                   self.path("nan.pfm"), "-o", self.path("q.patina"))
+        with open(project) as file:
+            document = json.load(file)
+        for change, parts in (({"colour": 1}, ["colour", "unknown"]), ({"version": 99}, ["version 99"])):
+            with open(self.path("bad.patina"), "w") as file:
+                json.dump({**document, **change}, file)
+            self.fails(3, ["bad.patina", *parts], "info", self.path("bad.patina"))
+        self.fails(3, ["none.exr"], "render", project, "--environment", self.path("none.exr"), "-o", self.path("o.png"))
+        self.fails(3, ["labels.png", "twice as wide"], "render", project, "--environment", self.path("labels.png"), "-o",
+                   self.path("o.png"))
+        self.fails(3, ["small.png", "Back depth"], "render", project, "--back-depth", self.path("small.png"), "-o",
+                   self.path("o.png"))
+        self.assertFalse(os.path.exists(self.path("q.patina")))
+
+    def test_targets_that_cannot_be_written(self):
+        project = self.small_project()
+        missing = self.path("no/such/o.png")
+        self.fails(5, [missing, "does not exist"], "render", project, "-o", missing)
+        self.fails(5, [missing], "export", project, "--layer", "color", "-o", missing)
+        os.mkdir(self.path("dir.png"))
+        self.fails(5, ["is a folder"], "render", project, "-o", self.path("dir.png"))
+        self.fails(5, ["/proc/o.png"], "export", project, "--layer", "color", "-o", "/proc/o.png")
+        self.fails(5, ["no/such"], "create", "--color", self.path("color.png"), "--depth", self.path("depth.png"), "-o",
+                   self.path("no/such/p.patina"))
+        with open("/dev/full", "w") as full:
+            self.fails(5, ["standard output"], "info", project, "--json", stdout=full)
+
+    def test_no_device(self):
+        project = self.small_project()
+        self.fails(4, ["no such device"], "render", project, "--device", "no such device", "-o", self.path("o.png"))
+        self.fails(4, ["no such device"], "--device", "no such device", "render", project, "-o", self.path("o.png"))
+        self.fails(4, ["patina-cli:"], "render", project, "-o", self.path("o.png"),
+                   env={"VK_ICD_FILENAMES": self.path("none.json"), "VK_DRIVER_FILES": self.path("none.json"),
+                        "PATINA_VALIDATION": "0"})
+        self.assertFalse(os.path.exists(self.path("o.png")))
+
+
+class WorkTest(CliTest):
+    def test_create_and_info(self):
+        project = self.small_project()
+        result = self.run_cli("info", project, "--json")
+        info = json.loads(result.stdout)
+        self.assertEqual((info["width"], info["height"]), (48, 32))
+        self.assertAlmostEqual(info["hfov_degrees"], 60, places=3)
+        self.assertEqual(info["depth"]["valid_fraction"], 1)
+        self.assertAlmostEqual(info["depth"]["min"], 0.8, places=6)
+        self.assertEqual([(s["label"], s["glossy"], s["pixels"]) for s in info["segments"]],
+                         [(1, True, 256), (2, False, 48 * 32 - 256)])
+        self.assertIn("48x32", self.run_cli("info", project).stdout)
+        assumed = self.run_cli("create", "--color", self.path("color.png"), "--depth", self.path("depth.png"), "-o",
+                               self.path("q.patina"))
+        self.assertIn("60 degrees", assumed.stderr)
+        self.assertEqual(assumed.stdout, "")
+
+    def test_export_every_layer(self):
+        project = self.small_project()
+        for layer in ("color", "depth", "normals", "positions", "area", "segments", "back-depth", "back-normals"):
+            output = self.path(layer + ".png")
+            self.assertEqual(self.run_cli("export", project, "--layer", layer, "-o", output).stdout, "")
+            self.assertEqual(png_size(output), (48, 32), layer)
+        for layer in ("reflected:1", "incident:segment 1", "environment", "coverage"):
+            output = self.path("map.png")
+            self.run_cli("export", project, "--layer", layer, "-o", output)
+            width, height = png_size(output)
+            self.assertEqual(width, 2 * height, layer)
+        self.run_cli("export", project, "--layer", "cryptomatte", "-o", self.path("c.exr"))
+        with open(self.path("c.exr"), "rb") as file:
+            content = file.read()
+        for text in (b"CryptoObject00.r", b"MurmurHash3_32", b"segment 1"):
+            self.assertIn(text, content)
+        self.fails(2, [".exr"], "export", project, "--layer", "cryptomatte", "-o", self.path("c.png"))
+
+    def test_render_is_repeatable_and_the_edit_shows(self):
+        project = self.small_project()
+
+        def picture(name, *args):
+            self.assertEqual(self.run_cli("render", project, "--samples", "4", *args, "-o", self.path(name)).stdout, "")
+            with open(self.path(name), "rb") as file:
+                return file.read()
+
+        edit = ("--edit", '1={"brdf": "lambert", "albedo": [0.9, 0.1, 0.1]}')
+        first = picture("a.exr", *edit)
+        self.assertEqual(first, picture("b.exr", *edit))
+        self.assertNotEqual(first, picture("c.exr"))
+        self.assertNotEqual(first, picture("d.exr", *edit, "--seed", "2"))
+        self.assertNotEqual(first, picture("e.exr", *edit, "--reflectance", "1=0.5,0.5,0.5", "--bounces", "1"))
+        self.assertEqual(png_size_of(picture, edit, self.path("f.png")), (48, 32))
+
+    def test_devices(self):
+        listed = json.loads(self.run_cli("devices", "--json").stdout)["devices"]
+        self.assertGreaterEqual(len(listed), 1)
+        self.assertEqual(listed[0]["index"], 0)
+        self.assertIn(listed[0]["name"], self.run_cli("devices").stdout)
+
+    def test_interrupt(self):
+        process = subprocess.Popen([PROGRAM, "render", STUDIO, "--samples", "100000", "--edit", 'vase={"brdf":"ggx"}',
+                                    "-o", self.path("o.png")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        first = process.stderr.readline()  # the device is open and the work has begun
+        self.assertIn("Rendering on", first)
+        time.sleep(1)
+        process.send_signal(signal.SIGINT)
+        _, messages = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 130, messages)
+        self.assertIn("cancelled", messages)
+        self.assertEqual(os.listdir(self.folder), [])
+
+
+def png_size_of(picture, edit, path):
+    picture(os.path.basename(path), *edit)
+    return png_size(path)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
