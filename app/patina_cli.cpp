@@ -68,6 +68,7 @@ int main(int argc, char** argv) {
     cli::addExport(app, session);
     cli::addRender(app, session);
     cli::addDevices(app, session);
+    cli::addBench(app, session);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) {

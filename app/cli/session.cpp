@@ -28,7 +28,8 @@ class ProgressPrinter {
         const std::lock_guard lock(mutex_);
         const int percent = static_cast<int>(std::lround(100 * std::clamp(fraction, 0.0f, 1.0f)));
         const bool newStep = step != step_;
-        if (!newStep && percent / (terminal_ ? 1 : 10) == shown_) return;
+        // steps run in parallel: reports may arrive out of order
+        if (!newStep && percent / (terminal_ ? 1 : 10) <= shown_) return;
         if (newStep) step_ = step;
         shown_ = percent / (terminal_ ? 1 : 10);
         if (terminal_) {

@@ -34,6 +34,7 @@ void addInfo(CLI::App& app, Session& session);
 void addExport(CLI::App& app, Session& session);
 void addRender(CLI::App& app, Session& session);
 void addDevices(CLI::App& app, Session& session);
+void addBench(CLI::App& app, Session& session);
 
 /// Reports progress to stderr (one rewritten line on a terminal, else a line per step and tenth) and stops the work on
 /// SIGINT.

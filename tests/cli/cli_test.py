@@ -81,7 +81,7 @@ class CliTest(unittest.TestCase):
 class UsageTest(CliTest):
     def test_help_and_version(self):
         text = self.run_cli("--help").stdout
-        for command in ("create", "info", "export", "render", "devices"):
+        for command in ("create", "info", "export", "render", "devices", "bench"):
             self.assertIn(command, text)
             self.assertIn("Usage:", self.run_cli(command, "--help").stdout)
         self.assertRegex(self.run_cli("--version").stdout, r"^patina-cli \d+\.\d+")
@@ -104,6 +104,7 @@ class UsageTest(CliTest):
         self.fails(2, ["77"], "render", project, "--reflectance", "77=1,1,1", "-o", self.path("o.png"))
         self.fails(2, ["beauty", "normals"], "export", project, "--layer", "beauty", "-o", self.path("o.png"))
         self.fails(2, ["77"], "export", project, "--layer", "reflected:77", "-o", self.path("o.png"))
+        self.fails(2, ["sleep", "march"], "bench", "sleep", "--project", project)
         self.fails(2, ["not glossy"], "export", project, "--layer", "incident:2", "-o", self.path("o.png"))
 
     def test_edits_that_are_wrong(self):
@@ -239,6 +240,16 @@ class WorkTest(CliTest):
         self.assertGreaterEqual(len(listed), 1)
         self.assertEqual(listed[0]["index"], 0)
         self.assertIn(listed[0]["name"], self.run_cli("devices").stdout)
+
+    def test_bench(self):
+        project = self.small_project()
+        document = json.loads(self.run_cli("bench", "march", "--json", "--project", project).stdout)
+        self.assertGreaterEqual(document["threads"], 1)
+        self.assertTrue(document["device"])
+        metrics = {(r["name"], r["metric"]): r for r in document["results"]}
+        self.assertGreater(metrics["march", "rays_per_second.pyramid"]["value"], 0)
+        self.assertEqual(metrics["march", "rays_per_second.pyramid"]["unit"], "1/s")
+        self.assertEqual({name for name, _ in metrics}, {"march"})
 
     def test_interrupt(self):
         process = subprocess.Popen([PROGRAM, "render", STUDIO, "--samples", "100000", "--edit", 'vase={"brdf":"ggx"}',
