@@ -109,6 +109,8 @@ void writeImage(const std::string& path, const char* format, const OIIO::ImageSp
         throw Error(ErrorKind::Output, "Cannot write \"" + path + "\": " + reason + ".");
     };
     AtomicFile file(path);
+    OIIO::ImageSpec stamped = spec;
+    stamped["DateTime"] = "";  // else the EXR writer stores the time of day: the same picture, other bytes
     const auto output = OIIO::ImageOutput::create(format);
     if (!output) fail(std::string("this build of OpenImageIO does not write ") + format + " files");
     // Into memory first: on a full disk the PNG writer says nothing and the JPEG writer ends the program. TIFF reports
@@ -117,7 +119,7 @@ void writeImage(const std::string& path, const char* format, const OIIO::ImageSp
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const bool inMemory =
         std::string_view(format) != "tiff" && output->supports("ioproxy") != 0 && output->set_ioproxy(&memory);
-    if (!output->open(inMemory ? path : file.temporaryPath(), spec)) fail(output->geterror());
+    if (!output->open(inMemory ? path : file.temporaryPath(), stamped)) fail(output->geterror());
     if (!output->write_image(type, pixels)) fail(output->geterror());
     if (!output->close()) fail(output->geterror());
     if (!inMemory) return file.commit();

@@ -204,7 +204,7 @@ class WorkTest(CliTest):
     def test_export_every_layer(self):
         project = self.small_project()
         for layer in ("color", "depth", "normals", "positions", "area", "segments", "back-depth", "back-normals"):
-            output = self.path(layer + ".png")
+            output = self.path("out_" + layer + ".png")
             self.assertEqual(self.run_cli("export", project, "--layer", layer, "-o", output).stdout, "")
             self.assertEqual(png_size(output), (48, 32), layer)
         for layer in ("reflected:1", "incident:segment 1", "environment", "coverage"):
