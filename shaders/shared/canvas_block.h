@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Push constants and bindings of canvas.frag, which draws a picture into the window.
+#ifndef PATINA_CANVAS_BLOCK_H
+#define PATINA_CANVAS_BLOCK_H
+
+#include "shaders/shared/interop.h"
+
+#define CANVAS_PICTURE 0
+#define CANVAS_LABELS 1
+
+#define CANVAS_PICTURE_ENCODED 1u  // the picture is display-encoded: no exposure, no transfer function
+#define CANVAS_TARGET_ENCODES 2u   // the swapchain's format is sRGB: the hardware applies the transfer function
+#define CANVAS_OUTLINE 4u          // draw the outline of `selected`
+
+KERNEL_BEGIN
+
+struct CanvasBlock {
+    vec2 origin;    // picture position at the view's top-left corner [px]
+    float step;     // picture pixels per view pixel
+    float gain;     // radiance factor, 2^stops
+    uint flags;     // CANVAS_*
+    uint selected;  // label that is outlined
+    uint pad0;
+    uint pad1;
+};
+KERNEL_BLOCK(CanvasBlock, 32)
+
+KERNEL_END
+
+#endif

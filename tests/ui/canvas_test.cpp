@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The real window with the real canvas. Needs a display with Vulkan: CTest starts it on a virtual one with lavapipe.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QScreen>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QTreeWidget>
+#include <QWindow>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/io/image_io.h"
+#include "core/io/project.h"
+#include "core/pipeline.h"
+#include "core/render/renderer.h"
+#include "gpu/instance.h"
+#include "tests/ui/support.h"
+#include "ui/main_window.h"
+
+namespace {
+
+const QString kSample = QStringLiteral(PATINA_SAMPLES "/studio/studio.patina");
+
+/// Longest time the event loop did not come round [ms].
+class StallMeter {
+  public:
+    StallMeter() {
+        QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] { lap(); });
+        timer_.start(1);
+        clock_.start();
+    }
+    qint64 longest() {
+        lap();
+        return longest_;
+    }
+    void reset() {
+        clock_.restart();
+        longest_ = 0;
+    }
+
+  private:
+    void lap() { longest_ = std::max(longest_, clock_.restart()); }
+    QTimer timer_;
+    QElapsedTimer clock_;
+    qint64 longest_ = 0;
+};
+
+class CanvasWindowTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        window_.resize(1400, 900);
+        window_.show();
+        ASSERT_TRUE(window_.canvas().available())
+            << test::child<QLabel>(window_, "canvasMessage")->text().toStdString();
+        ASSERT_TRUE(test::waitUntil([&] { return !window_.canvas().deviceName().isEmpty(); }, 20000));
+    }
+    void open() {
+        window_.openFile(kSample);
+        ASSERT_TRUE(test::waitUntil([&] { return window_.workspace().hasPhoto(); }, 30000));
+    }
+    std::uint16_t label(const char* name) { return test::labelOf(window_.workspace().scene(), name); }
+    void settle() {
+        ASSERT_TRUE(test::waitUntil([&] { return window_.settled(); }, 100000));
+    }
+    void setSamples(int count) { test::child<QSpinBox>(window_, "renderSamples")->setValue(count); }
+    void chooseBrdf(const char* key) {
+        auto* box = test::child<QComboBox>(window_, "materialBrdf");
+        box->setCurrentIndex(box->findData(QString::fromUtf8(key)));
+        emit box->activated(box->currentIndex());
+    }
+    QTreeWidgetItem* row(const QString& segment) {
+        const auto rows = test::child<QTreeWidget>(window_, "segmentList")->findItems(segment, Qt::MatchExactly, 0);
+        return rows.isEmpty() ? nullptr : rows.front();
+    }
+    /// The widget's pixel that shows a picture pixel's centre.
+    QPoint widgetPixel(int x, int y) {
+        const QPointF place = window_.canvas().widgetPosition(x, y);
+        return {static_cast<int>(std::floor(place.x())), static_cast<int>(std::floor(place.y()))};
+    }
+    /// What is on the screen at a picture pixel.
+    QColor screenColor(int x, int y) {
+        const QPoint global = window_.canvas().mapToGlobal(widgetPixel(x, y));
+        return window_.screen()->grabWindow(0, global.x(), global.y(), 1, 1).toImage().pixelColor(0, 0);
+    }
+
+    ui::MainWindow window_;
+    QTemporaryDir folder_;
+};
+
+// Opens the sample, flags a segment, changes a material, waits, exports; the file equals the headless one.
+TEST_F(CanvasWindowTest, EditedPictureIsExportedAsTheHeadlessOne) {
+    StallMeter stalls;
+    open();
+    setSamples(4);
+    settle();
+    ASSERT_NE(row("bowl"), nullptr);
+    row("bowl")->setCheckState(1, Qt::Checked);
+    EXPECT_TRUE(window_.workspace().scene().findSegment(label("bowl"))->glossy);
+    settle();
+    test::child<QTreeWidget>(window_, "segmentList")->setCurrentItem(row("bowl"));
+    chooseBrdf("phong");
+    auto* exponent = test::child<QSlider>(window_, "exponentSlider");
+    // What blocks the thread does so in every round; a busy machine seldom does.
+    qint64 longest = std::numeric_limits<qint64>::max();
+    for (int round = 0; round < 5 && longest >= 200; ++round) {
+        stalls.reset();
+        for (const int position : {200, 300, 400, 500 + round}) {
+            exponent->setValue(position);
+            QTest::qWait(30);
+        }
+        emit exponent->sliderReleased();
+        settle();
+        longest = std::min(longest, stalls.longest());
+    }
+    RecordProperty("longest_stall_ms", static_cast<int>(longest));
+    EXPECT_LT(longest, 200) << "the window's thread was blocked";
+    EXPECT_EQ(window_.canvas().progress().samples, 4);
+    EXPECT_EQ(window_.canvas().progress().droppedSamples, 0u);
+
+    const QString picture = folder_.filePath("window.exr");
+    window_.exportPicture(picture);
+    settle();
+    ASSERT_EQ(window_.findChild<QObject*>("errorDialog"), nullptr);
+    const QString project = folder_.filePath("edited.patina");
+    window_.saveTo(project);
+    settle();
+
+    const core::Scene scene = core::loadProject(project.toStdString());
+    const auto analysis = core::AnalysisPipeline().run(scene);
+    const core::ImageRgb headless =
+        render::renderImage(gpu::Instance::create().requestAdapter().requestDevice({.label = "test"}), scene, analysis);
+    const std::string reference = folder_.filePath("headless.exr").toStdString();
+    core::saveColor(headless, reference);
+    const core::ImageRgb expected = core::loadColor(reference);
+    const core::ImageRgb actual = core::loadColor(picture.toStdString());
+    ASSERT_TRUE(actual.sameSize(expected));
+    EXPECT_TRUE(actual == expected) << "the same project, seed and samples give the same pixels";
+
+    // Something was edited, and only where the bowl is.
+    const core::Photo& photo = *scene.photo;
+    const std::uint16_t bowl = test::labelOf(scene, "bowl");
+    std::size_t changedInside = 0;
+    std::size_t changedOutside = 0;
+    for (std::size_t i = 0; i < actual.size(); ++i) {
+        if (actual[i].isApprox(photo.color[i], 0.02f)) continue;
+        ++(photo.labels[i] == bowl ? changedInside : changedOutside);
+    }
+    EXPECT_GT(changedInside, 1000u);
+    EXPECT_EQ(changedOutside, 0u);
+}
+
+TEST_F(CanvasWindowTest, ShowsThePhotographAndPicksSegments) {
+    open();
+    const core::Photo& photo = *window_.workspace().scene().photo;
+    window_.canvas().setZoom(1);
+    QTest::qWait(1000);
+    // Colour on the screen: the photograph through the sRGB transfer function.
+    for (const auto& [x, y] : {std::pair{480, 320}, std::pair{300, 300}, std::pair{600, 400}}) {
+        const core::Vector3f& linear = photo.color(x, y);
+        const QColor shown = screenColor(x, y);
+        const auto encoded = [](float v) {
+            v = std::clamp(v, 0.0f, 1.0f);
+            return 255 * (v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f);
+        };
+        EXPECT_NEAR(shown.red(), encoded(linear.x()), 2) << x << "," << y;
+        EXPECT_NEAR(shown.green(), encoded(linear.y()), 2) << x << "," << y;
+        EXPECT_NEAR(shown.blue(), encoded(linear.z()), 2) << x << "," << y;
+    }
+    // A click in the middle of a segment selects it.
+    QWindow* native = nullptr;
+    for (QWindow* each : QGuiApplication::allWindows()) {
+        if (each->surfaceType() == QSurface::VulkanSurface && each->isExposed()) native = each;
+    }
+    ASSERT_NE(native, nullptr);
+    for (int y = 0; y < photo.labels.height(); y += 40) {
+        for (int x = 0; x < photo.labels.width(); x += 60) {
+            const QPoint place = widgetPixel(x, y);
+            if (!window_.canvas().rect().contains(place)) continue;
+            QTest::mouseClick(native, Qt::LeftButton, {}, place);
+            ASSERT_EQ(window_.workspace().selectedLabel(), photo.labels(x, y)) << x << "," << y;
+        }
+    }
+}
+
+TEST_F(CanvasWindowTest, UndoRedoAndMinimisingDoNotDisturbRefinement) {
+    open();
+    setSamples(2);
+    window_.workspace().select(label("vase"));
+    chooseBrdf("ggx");
+    auto* alpha = test::child<QSlider>(window_, "alphaSlider");
+    alpha->setValue(900);
+    emit alpha->sliderReleased();
+    const float rough = window_.workspace().selectedSegment()->edit->values[0];
+    test::child<QAction>(window_, "actionUndo")->trigger();
+    EXPECT_NE(window_.workspace().selectedSegment()->edit->values[0], rough);
+    test::child<QAction>(window_, "actionRedo")->trigger();
+    EXPECT_EQ(window_.workspace().selectedSegment()->edit->values[0], rough);
+    window_.resize(900, 700);
+    window_.hide();
+    QTest::qWait(100);
+    window_.show();
+    window_.resize(1300, 860);
+    settle();
+    EXPECT_EQ(window_.canvas().progress().droppedSamples, 0u);
+    for (const char* layer : {"original", "depth", "normals", "segments", "backDepth", "coverage", "result"}) {
+        test::child<QAction>(window_, (std::string("actionLayer_") + layer).c_str())->trigger();
+        settle();
+        QTest::qWait(50);
+    }
+    EXPECT_EQ(window_.findChild<QObject*>("errorDialog"), nullptr);
+}
+
+}  // namespace

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGroupBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTreeWidget>
+#include <numbers>
+
+#include "core/brdf.h"
+#include "core/io/image_io.h"
+#include "core/translucency.h"
+#include "tests/ui/support.h"
+#include "ui/panels/back_side_panel.h"
+#include "ui/panels/environment_panel.h"
+#include "ui/panels/material_panel.h"
+#include "ui/panels/registry.h"
+#include "ui/panels/render_panel.h"
+#include "ui/panels/segments_panel.h"
+#include "ui/widgets/color_button.h"
+#include "ui/widgets/map_view.h"
+#include "ui/widgets/param_slider.h"
+#include "ui/widgets/profile_view.h"
+#include "ui/workspace.h"
+
+namespace {
+
+class Panels : public testing::Test {
+  protected:
+    void open() { workspace_.setDocument(core::Document(test::makeScene())); }
+    const core::Segment& segment(std::uint16_t label) { return *workspace_.scene().findSegment(label); }
+    /// As a user does: the combo box shows the entry and says so.
+    static void choose(QComboBox& box, int index) {
+        ASSERT_GE(index, 0);
+        box.setCurrentIndex(index);
+        emit box.activated(index);
+    }
+    void chooseBrdf(ui::MaterialPanel& panel, const char* key) {
+        auto* box = test::child<QComboBox>(panel, "materialBrdf");
+        choose(*box, box->findData(QString::fromUtf8(key)));
+    }
+
+    ui::Workspace workspace_;
+};
+
+TEST_F(Panels, EveryPanelLivesWithoutADocumentAndNamesItsControls) {
+    for (const ui::PanelEntry& entry : ui::panelRegistry()) {
+        const std::unique_ptr<ui::Panel> panel(entry.make(workspace_, nullptr));
+        EXPECT_FALSE(entry.translatedTitle().isEmpty());
+        for (const QWidget* widget : panel->findChildren<QWidget*>()) {
+            const bool control = qobject_cast<const QAbstractButton*>(widget) != nullptr ||
+                                 qobject_cast<const QComboBox*>(widget) != nullptr ||
+                                 qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
+                                 qobject_cast<const QAbstractSlider*>(widget) != nullptr;
+            if (!control || widget->objectName().startsWith("qt_")) continue;
+            const auto* bar = qobject_cast<const QScrollBar*>(widget);
+            if (bar != nullptr) continue;
+            EXPECT_FALSE(widget->objectName().isEmpty()) << entry.key << ": " << widget->metaObject()->className();
+            EXPECT_FALSE(widget->toolTip().isEmpty()) << entry.key << ": " << widget->objectName().toStdString();
+        }
+    }
+}
+
+TEST_F(Panels, SegmentListShowsAndEditsFlagsAndNames) {
+    ui::SegmentsPanel panel(workspace_);
+    open();
+    auto* list = test::child<QTreeWidget>(panel, "segmentList");
+    ASSERT_EQ(list->topLevelItemCount(), 2);
+    EXPECT_EQ(list->topLevelItem(1)->text(0), "card");
+    list->topLevelItem(1)->setCheckState(1, Qt::Checked);
+    EXPECT_TRUE(segment(2).glossy);
+    list->topLevelItem(1)->setText(0, "badge");
+    EXPECT_EQ(segment(2).name, "badge");
+    workspace_.document().undo();
+    EXPECT_EQ(list->topLevelItem(1)->text(0), "card");
+    EXPECT_EQ(list->topLevelItem(1)->checkState(1), Qt::Checked);
+    workspace_.document().undo();
+    EXPECT_EQ(list->topLevelItem(1)->checkState(1), Qt::Unchecked);
+}
+
+TEST_F(Panels, SegmentNamesStayUniqueAndNeverEmpty) {
+    ui::SegmentsPanel panel(workspace_);
+    open();
+    QSignalSpy messages(&panel, &ui::Panel::message);
+    auto* list = test::child<QTreeWidget>(panel, "segmentList");
+    list->topLevelItem(1)->setText(0, "wall");
+    list->topLevelItem(1)->setText(0, "   ");
+    EXPECT_EQ(messages.size(), 2);
+    EXPECT_EQ(segment(2).name, "card");
+    EXPECT_EQ(list->topLevelItem(1)->text(0), "card");
+    EXPECT_FALSE(workspace_.document().canUndo());
+}
+
+TEST_F(Panels, SelectionGoesBothWays) {
+    ui::SegmentsPanel panel(workspace_);
+    open();
+    auto* list = test::child<QTreeWidget>(panel, "segmentList");
+    list->setCurrentItem(list->topLevelItem(1));
+    EXPECT_EQ(workspace_.selectedLabel(), 2);
+    workspace_.select(1);
+    EXPECT_EQ(list->currentItem(), list->topLevelItem(0));
+    workspace_.select(77);
+    EXPECT_EQ(workspace_.selectedLabel(), 0);
+    EXPECT_EQ(list->currentItem(), nullptr);
+}
+
+TEST_F(Panels, MaterialControlsComeFromTheTableOfEachBrdf) {
+    ui::MaterialPanel panel(workspace_);
+    open();
+    workspace_.select(2);
+    for (const core::BrdfInfo& info : core::brdfs()) {
+        chooseBrdf(panel, info.key);
+        ASSERT_TRUE(segment(2).edit.has_value());
+        EXPECT_EQ(segment(2).edit->brdf, info.key);
+        EXPECT_EQ(segment(2).edit->fresnel, info.defaultFresnel);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        for (std::size_t i = 0; i < info.params.size(); ++i) {
+            const core::ParamInfo& param = info.params[i];
+            auto* slider = test::child<ui::ParamSlider>(panel, param.key);
+            EXPECT_NEAR(slider->value(), static_cast<double>(param.initial), 1e-6);
+            test::child<QSlider>(*slider, (std::string(param.key) + "Slider").c_str())->setValue(1000);
+            EXPECT_NEAR(segment(2).edit->values[i], param.max, 1e-3f * param.max);
+        }
+    }
+    chooseBrdf(panel, "");
+    EXPECT_FALSE(segment(2).edit.has_value());
+}
+
+TEST_F(Panels, DraggingASliderIsOneUndoStep) {
+    ui::MaterialPanel panel(workspace_);
+    open();
+    workspace_.select(2);
+    chooseBrdf(panel, "phong");
+    auto* slider = test::child<QSlider>(panel, "exponentSlider");
+    const float before = segment(2).edit->values[0];
+    for (int position = 300; position < 320; ++position) slider->setValue(position);
+    emit slider->sliderReleased();
+    workspace_.document().undo();
+    EXPECT_EQ(segment(2).edit->values[0], before);
+    workspace_.document().undo();
+    EXPECT_FALSE(segment(2).edit.has_value());
+    EXPECT_FALSE(workspace_.document().canUndo());
+}
+
+TEST_F(Panels, EstimatedSpecularShowsTheReflectance) {
+    ui::MaterialPanel panel(workspace_);
+    open();
+    workspace_.setAnalysis(test::makeAnalysis(workspace_.scene()));
+    workspace_.select(2);
+    chooseBrdf(panel, "phong");
+    auto* estimated = test::child<QCheckBox>(panel, "materialSpecularEstimated");
+    EXPECT_TRUE(estimated->isChecked());
+    EXPECT_EQ(test::child<ui::ColorButton>(panel, "materialSpecular")->color(), core::Vector3f(0.25f, 0.5f, 0.75f));
+    estimated->click();
+    ASSERT_TRUE(segment(2).edit->specular.has_value());
+    EXPECT_EQ(*segment(2).edit->specular, core::Vector3f(0.25f, 0.5f, 0.75f));
+    estimated->click();
+    EXPECT_FALSE(segment(2).edit->specular.has_value());
+}
+
+TEST_F(Panels, TranslucencyPresetFillsTheCoefficients) {
+    ui::MaterialPanel panel(workspace_);
+    open();
+    workspace_.select(2);
+    chooseBrdf(panel, "lambert");
+    auto* group = test::child<QGroupBox>(panel, "translucency");
+    group->setChecked(true);
+    emit group->clicked(true);
+    ASSERT_TRUE(segment(2).edit->translucency.has_value());
+    for (const core::TranslucencyPreset& preset : core::translucencyPresets()) {
+        auto* box = test::child<QComboBox>(panel, "translucencyPreset");
+        choose(*box, box->findData(QString::fromUtf8(preset.key)));
+        EXPECT_EQ(segment(2).edit->translucency->preset, preset.key);
+        EXPECT_EQ(segment(2).edit->translucency->sigmaA.x(), preset.sigmaA[0]);
+        EXPECT_EQ(segment(2).edit->translucency->sigmaSPrime.z(), preset.sigmaSPrime[2]);
+    }
+    test::child<QDoubleSpinBox>(panel, "translucencySigmaAG")->setValue(0.5);
+    EXPECT_EQ(segment(2).edit->translucency->sigmaA.y(), 0.5f);
+    EXPECT_TRUE(segment(2).edit->translucency->preset.empty());
+    group->setChecked(false);
+    emit group->clicked(false);
+    EXPECT_FALSE(segment(2).edit->translucency.has_value());
+}
+
+TEST_F(Panels, BackSideIsInMillimetresAndPreviewed) {
+    ui::BackSidePanel panel(workspace_);
+    open();
+    workspace_.select(2);
+    auto* method = test::child<QComboBox>(panel, "backSideMethod");
+    choose(*method, method->findData(static_cast<int>(core::BackSideMethod::Offset)));
+    EXPECT_EQ(segment(2).backSide.method, core::BackSideMethod::Offset);
+    test::child<QDoubleSpinBox>(panel, "backSideOffsetSpin")->setValue(20);
+    EXPECT_NEAR(segment(2).backSide.offset, 0.02f, 1e-7f);
+    EXPECT_EQ(test::child<ui::ProfileView>(panel, "backSideProfile")->maxThickness(), 0);
+    workspace_.setAnalysis(test::makeAnalysis(workspace_.scene()));
+    EXPECT_NEAR(test::child<ui::ProfileView>(panel, "backSideProfile")->maxThickness(), 0.1f, 1e-6f);
+}
+
+TEST_F(Panels, EnvironmentShowsMapsAndReflectance) {
+    ui::EnvironmentPanel panel(workspace_);
+    open();
+    auto* map = test::child<ui::MapView>(panel, "environmentView");
+    EXPECT_TRUE(map->image().isNull());
+    workspace_.editScene("flag", [](core::Scene& scene) { scene.segments[1].glossy = true; });
+    workspace_.setAnalysis(test::makeAnalysis(workspace_.scene()));
+    EXPECT_FALSE(map->image().isNull());
+    auto* which = test::child<QComboBox>(panel, "environmentMap");
+    which->setCurrentIndex(1);
+    EXPECT_TRUE(map->image().isNull());
+    workspace_.select(2);
+    EXPECT_FALSE(map->image().isNull());
+    EXPECT_TRUE(test::child<QLabel>(panel, "reflectanceValue")->text().contains("0.250, 0.500, 0.750"));
+    test::child<QCheckBox>(panel, "reflectanceByHand")->click();
+    ASSERT_TRUE(segment(2).reflectance.has_value());
+    EXPECT_EQ(*segment(2).reflectance, core::Vector3f(0.25f, 0.5f, 0.75f));
+    test::child<QDoubleSpinBox>(panel, "environmentRotationSpin")->setValue(90);
+    EXPECT_NEAR(workspace_.scene().environment.rotation, std::numbers::pi_v<float> / 2, 1e-5f);
+}
+
+TEST_F(Panels, EnvironmentFileIsLoadedInTheBackgroundAndChecked) {
+    ui::EnvironmentPanel panel(workspace_);
+    open();
+    const QTemporaryDir folder;
+    const QString good = folder.filePath("light.exr");
+    core::saveColor(core::ImageRgb(16, 8, core::Vector3f(1, 2, 3)), good.toStdString());
+    panel.loadEnvironment(good);
+    ASSERT_TRUE(test::waitUntil([&] { return workspace_.scene().environment.image != nullptr; }, 5000));
+    EXPECT_EQ(workspace_.scene().environment.path, good.toStdString());
+    QSignalSpy errors(&panel, &ui::Panel::error);
+    const QString square = folder.filePath("square.exr");
+    core::saveColor(core::ImageRgb(8, 8, core::Vector3f(1, 1, 1)), square.toStdString());
+    panel.loadEnvironment(square);
+    ASSERT_TRUE(test::waitUntil([&] { return errors.size() == 1; }, 5000));
+    EXPECT_TRUE(errors[0][0].toString().contains("8x8"));
+    panel.loadEnvironment(folder.filePath("missing.exr"));
+    ASSERT_TRUE(test::waitUntil([&] { return errors.size() == 2; }, 5000));
+    EXPECT_TRUE(errors[1][0].toString().contains("missing.exr"));
+    EXPECT_EQ(workspace_.scene().environment.path, good.toStdString());
+    test::child<QPushButton>(panel, "recoverEnvironment")->click();
+    EXPECT_EQ(workspace_.scene().environment.image, nullptr);
+}
+
+TEST_F(Panels, RenderingNumbersReachTheScene) {
+    ui::RenderPanel panel(workspace_);
+    EXPECT_FALSE(panel.isEnabled());
+    open();
+    EXPECT_TRUE(panel.isEnabled());
+    test::child<QSpinBox>(panel, "renderSamples")->setValue(7);
+    test::child<QSpinBox>(panel, "renderBounces")->setValue(2);
+    test::child<QCheckBox>(panel, "renderFilter")->click();
+    test::child<QCheckBox>(panel, "depthFilter")->click();
+    EXPECT_EQ(workspace_.scene().render.samples, 7);
+    EXPECT_EQ(workspace_.scene().render.bounces, 2);
+    EXPECT_FALSE(workspace_.scene().render.filter);
+    EXPECT_FALSE(workspace_.scene().depthFilter.enabled);
+    EXPECT_FALSE(test::child<ui::ParamSlider>(panel, "depthSpatialSigma")->isEnabled());
+}
+
+}  // namespace

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QThread>
+#include <algorithm>
+
+#include "tests/ui/support.h"
+#include "ui/analysis_worker.h"
+#include "ui/background_task.h"
+#include "ui/workspace.h"
+
+namespace {
+
+TEST(BackgroundTask, ReportsOnTheThreadThatMadeIt) {
+    QThread* finishedOn = nullptr;
+    ui::BackgroundTask task([](const core::StepContext& context) { context.checkpoint("step", 0.5f); });
+    QSignalSpy progress(&task, &ui::BackgroundTask::progress);
+    QObject::connect(&task, &ui::BackgroundTask::succeeded, &task, [&] { finishedOn = QThread::currentThread(); });
+    task.start();
+    ASSERT_TRUE(test::waitUntil([&] { return finishedOn != nullptr; }, 5000));
+    EXPECT_EQ(finishedOn, QThread::currentThread());
+    ASSERT_EQ(progress.size(), 1);
+    EXPECT_EQ(progress[0][0].toString(), "step");
+}
+
+TEST(BackgroundTask, AnErrorIsASentenceAndNotAnEnd) {
+    ui::BackgroundTask task(
+        [](const core::StepContext&) { throw core::Error(core::ErrorKind::Input, "The file is broken."); });
+    QSignalSpy failed(&task, &ui::BackgroundTask::failed);
+    QSignalSpy succeeded(&task, &ui::BackgroundTask::succeeded);
+    task.start();
+    ASSERT_TRUE(test::waitUntil([&] { return failed.size() == 1; }, 5000));
+    EXPECT_EQ(failed[0][0].toString(), "The file is broken.");
+    EXPECT_EQ(succeeded.size(), 0);
+}
+
+TEST(BackgroundTask, CancelEndsEndlessWork) {
+    ui::BackgroundTask task([](const core::StepContext& context) {
+        for (;;) context.checkpoint("endless", 0);
+    });
+    QSignalSpy cancelled(&task, &ui::BackgroundTask::cancelled);
+    task.start();
+    task.cancel();
+    EXPECT_TRUE(test::waitUntil([&] { return cancelled.size() == 1; }, 5000));
+}
+
+TEST(BackgroundTask, DestructionStopsTheWork) {
+    auto task = std::make_unique<ui::BackgroundTask>([](const core::StepContext& context) {
+        for (;;) context.checkpoint("endless", 0);
+    });
+    task->start();
+    task.reset();
+    QCoreApplication::processEvents();
+    SUCCEED();
+}
+
+TEST(AnalysisWorker, DeliversTheLatestRequest) {
+    ui::AnalysisWorker worker;
+    std::vector<std::uint64_t> generations;
+    QObject::connect(&worker, &ui::AnalysisWorker::finished, &worker,
+                     [&](const std::shared_ptr<const ui::AnalysisResult>& result) {
+                         generations.push_back(result->generation);
+                         EXPECT_NE(result->analysis, nullptr);
+                     });
+    core::Scene scene = test::makeScene();
+    for (std::uint64_t generation = 1; generation <= 50; ++generation) {
+        scene.segments[1].backSide.minThickness = 0.001f * static_cast<float>(generation);
+        worker.request(generation, scene);
+    }
+    ASSERT_TRUE(test::waitUntil([&] { return !generations.empty() && generations.back() == 50; }, 20000));
+    EXPECT_TRUE(std::is_sorted(generations.begin(), generations.end()));
+    EXPECT_LT(generations.size(), 50u);
+}
+
+TEST(AnalysisWorker, UnusableSceneIsASentence) {
+    ui::AnalysisWorker worker;
+    QSignalSpy failed(&worker, &ui::AnalysisWorker::failed);
+    core::Scene scene = test::makeScene();
+    auto blind = std::make_shared<core::Photo>(*scene.photo);
+    blind->depth = core::ImageF(32, 24, 0.0f);
+    scene.photo = blind;
+    worker.request(3, scene);
+    ASSERT_TRUE(test::waitUntil([&] { return failed.size() == 1; }, 20000));
+    EXPECT_EQ(failed[0][0].toULongLong(), 3u);
+    EXPECT_FALSE(failed[0][1].toString().isEmpty());
+}
+
+TEST(Workspace, KnowsWhichEditsTouchTheAnalysis) {
+    ui::Workspace workspace;
+    workspace.setDocument(core::Document(test::makeScene()));
+    const std::uint64_t opened = workspace.analysisGeneration();
+    workspace.editScene("name", [](core::Scene& scene) { scene.segments[0].name = "other"; });
+    EXPECT_EQ(workspace.analysisGeneration(), opened);
+    EXPECT_GT(workspace.generation(), opened);
+    workspace.editScene("flag", [](core::Scene& scene) { scene.segments[0].glossy = true; });
+    EXPECT_EQ(workspace.analysisGeneration(), workspace.generation());
+}
+
+}  // namespace

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "core/analysis.h"
+#include "core/pipeline.h"
+#include "core/scene.h"
+
+namespace ui {
+
+/// An analysis and the scene it was made from.
+struct AnalysisResult {
+    std::uint64_t generation = 0;  ///< Workspace::generation of `scene`
+    core::Scene scene;
+    std::shared_ptr<const core::Analysis> analysis;
+};
+
+/// Runs core::AnalysisPipeline on a thread of its own. A mailbox with one slot: only the latest request waits, the one
+/// in work is finished (so that dragging a slider shows intermediate results) unless it belongs to another photograph.
+class AnalysisWorker : public QObject {
+    Q_OBJECT
+  public:
+    explicit AnalysisWorker(QObject* parent = nullptr);
+    ~AnalysisWorker() override;
+
+    /// Replaces a waiting request. From the owner's thread.
+    void request(std::uint64_t generation, const core::Scene& scene);
+    /// Forgets the waiting request and stops the one in work.
+    void cancel();
+
+  signals:
+    void progress(const QString& step, double fraction);
+    void finished(std::shared_ptr<const ui::AnalysisResult> result);
+    void failed(quint64 generation, const QString& sentence);
+
+  private:
+    struct Request {
+        std::uint64_t generation = 0;
+        core::Scene scene;
+    };
+    void loop();
+    void analyse(const Request& request);
+
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    std::optional<Request> waiting_;             ///< guarded by mutex_
+    std::shared_ptr<const core::Photo> inWork_;  ///< guarded by mutex_
+    bool quit_ = false;                          ///< guarded by mutex_
+    std::atomic<bool> cancel_ = false;
+    core::AnalysisPipeline pipeline_;  ///< used by the thread only
+    std::thread thread_;
+};
+
+}  // namespace ui

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/analysis.h"
+#include "core/render/renderer.h"
+#include "core/scene.h"
+#include "ui/view_layer.h"
+
+class QLabel;
+class QStackedLayout;
+class QVulkanInstance;
+
+namespace ui {
+
+class CanvasWindow;
+
+/// A picture as the canvas uploads it: half floats, four a pixel.
+struct CanvasPicture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint16_t> rgba;
+    bool displayEncoded = false;
+};
+[[nodiscard]] std::shared_ptr<const CanvasPicture> makeCanvasPicture(const LayerPicture& picture);
+
+/// What is under the pointer.
+struct CursorValue {
+    int x = 0;  ///< picture pixel
+    int y = 0;
+    bool inside = false;
+    bool hasResult = false;  ///< `result` was read back from the device
+    core::Vector3f result{0, 0, 0};
+};
+
+/// The picture: a QVulkanWindow in a widget, or a sentence where there is no Vulkan. It owns the progressive renderer
+/// and gives it a slice of every frame until it is finished; then nothing runs. Everything set here survives the loss
+/// of the device and of the window's surface.
+class Canvas : public QWidget {
+    Q_OBJECT
+  public:
+    /// `instance` may be nullptr: then the canvas shows `problem`. `device`: see gpu::RequestAdapterOptions.
+    Canvas(QVulkanInstance* instance, const QString& problem, const QString& device, QWidget* parent = nullptr);
+    ~Canvas() override;
+
+    /// Whether pictures can be shown.
+    [[nodiscard]] bool available() const { return window_ != nullptr; }
+    /// Name of the device in use, "" before the first frame.
+    [[nodiscard]] QString deviceName() const;
+
+    /// Another photograph; result and picture are forgotten. nullptr = nothing open.
+    void setPhoto(std::shared_ptr<const core::Photo> photo);
+    /// The photograph as picture, for comparison and until there is a result.
+    void setOriginal(std::shared_ptr<const CanvasPicture> picture);
+    /// Picture of a layer other than result and original.
+    void setLayerPicture(std::shared_ptr<const CanvasPicture> picture);
+    void setLayer(ViewLayer layer);
+    /// What the renderer works on from the next frame; the analysis belongs to the scene.
+    void setScene(const core::Scene& scene, std::shared_ptr<const core::Analysis> analysis);
+    /// No more slices until resumed; the picture stays.
+    void setPaused(bool paused);
+
+    void setSelection(std::uint16_t label);
+    void setOutlineShown(bool shown);
+    void setExposure(float stops);
+    void setComparing(bool comparing);
+    void zoomToFit();
+    void setZoom(double zoom);
+    [[nodiscard]] double zoom() const;
+    /// Where a picture pixel's centre is in this widget, logical pixels.
+    [[nodiscard]] QPointF widgetPosition(int x, int y) const;
+
+    [[nodiscard]] render::Renderer::Progress progress() const;
+    /// Whether the renderer has begun with the latest scene; `progress` speaks of that scene then.
+    [[nodiscard]] bool upToDate() const;
+
+    [[nodiscard]] QSize sizeHint() const override { return {960, 640}; }
+
+  signals:
+    void deviceReady(const QString& name);
+    /// After every frame that did work, and once when the renderer finishes.
+    void progressChanged();
+    void cursorMoved(const ui::CursorValue& value);
+    void segmentClicked(quint16 label);
+    void zoomChanged(double zoom);
+    /// The device failed; the canvas shows the sentence from now on, or again a picture after the next deviceReady.
+    void failed(const QString& sentence);
+
+  private:
+    void showMessage(const QString& text);
+
+    CanvasWindow* window_ = nullptr;  ///< owned by its container
+    QWidget* container_ = nullptr;
+    QStackedLayout* stack_ = nullptr;
+    QLabel* message_ = nullptr;
+};
+
+}  // namespace ui

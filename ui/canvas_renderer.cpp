@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas_renderer.h"
+
+#include <kernels/canvas.h>
+#include <kernels/fullscreen.h>
+
+#include <QVulkanDeviceFunctions>
+#include <array>
+#include <cmath>
+
+#include "gpu/adapter.h"
+#include "gpu/adopt.h"
+#include "gpu/error.h"
+
+namespace ui {
+
+namespace {
+
+/// Device time a frame may give to the renderer [s] (STYLE section 8).
+constexpr double kFrameBudget = 0.03;
+
+}  // namespace
+
+void CanvasRenderer::initResources() {
+    failed_ = false;
+    try {
+        device_ =
+            gpu::Device::adopt({.label = "canvas",
+                                .instance = window_.vulkanInstance()->vkInstance(),
+                                .physicalDevice = window_.physicalDevice(),
+                                .device = window_.device(),
+                                .queue = window_.graphicsQueue(),
+                                .queueFamilyIndex = window_.graphicsQueueFamilyIndex(),
+                                .debugUtils = window_.vulkanInstance()->extensions().contains("VK_EXT_debug_utils")});
+        const gpu::ShaderModule vertex =
+            device_.createShaderModule({.label = "fullscreen.vert", .code = fullscreen_spv});
+        const gpu::ShaderModule fragment = device_.createShaderModule({.label = "canvas.frag", .code = canvas_spv});
+        const gpu::ExternalRenderTarget target{
+            .renderPass = window_.defaultRenderPass(), .sampleCount = window_.sampleCountFlagBits(), .hasDepth = true};
+        pipeline_ = device_.createRenderPipeline(
+            {.label = "canvas", .vertex = vertex, .fragment = fragment, .targets = {{}}, .externalTarget = &target});
+        black_ = device_.createTexture({.label = "canvas black",
+                                        .size = {1, 1, 1},
+                                        .format = gpu::TextureFormat::RGBA16Float,
+                                        .usage = gpu::TextureUsage::TextureBinding | gpu::TextureUsage::CopyDst});
+        probe_ = device_.createBuffer({.label = "canvas probe",
+                                       .size = 4 * sizeof(float),
+                                       .usage = gpu::BufferUsage::MapRead | gpu::BufferUsage::CopyDst});
+        sceneStale_ = true;
+        deviceName_ = QString::fromStdString(device_.adapterInfo().name);
+        emit window_.deviceReady(deviceName_);
+    } catch (const std::exception& error) {
+        fail(QString::fromUtf8(error.what()));
+    }
+}
+
+void CanvasRenderer::releaseResources() { drop(); }
+
+void CanvasRenderer::logicalDeviceLost() {
+    fail(CanvasWindow::tr("The graphics device was lost and is being started again. Your edits are not affected."));
+}
+
+void CanvasRenderer::physicalDeviceLost() {
+    fail(CanvasWindow::tr("The graphics device is gone. Your edits are not affected: save, and start Patina again."));
+}
+
+void CanvasRenderer::drop() {
+    renderer_.reset();
+    rendererPhoto_.reset();
+    progress_ = {};
+    hasResult_ = false;
+    probeWanted_ = false;
+    probePending_ = false;
+    bindGroup_ = {};
+    boundPicture_ = {};
+    boundLabels_ = {};
+    probe_ = {};
+    black_ = {};
+    labels_ = {};
+    labelsOf_.reset();
+    original_ = {};
+    layer_ = {};
+    pipeline_ = {};
+    if (device_) {
+        try {
+            device_.destroy();
+        } catch (const gpu::Error&) {
+            // A lost device cannot be waited for; Qt destroys it next.
+        }
+    }
+    device_ = {};
+}
+
+void CanvasRenderer::fail(const QString& sentence) {
+    failed_ = true;
+    emit window_.failed(sentence);
+}
+
+void CanvasRenderer::retry() {
+    if (!failed_) return;
+    failed_ = false;
+    renderer_.reset();
+    hasResult_ = false;
+    sceneStale_ = true;
+}
+
+void CanvasRenderer::startNextFrame() {
+    drawn_ = false;
+    if (!failed_ && device_) {
+        try {
+            recordFrame();
+        } catch (const std::exception& error) {
+            fail(QString::fromUtf8(error.what()));
+        }
+    }
+    if (!drawn_) clear();
+    window_.frameReady();
+}
+
+void CanvasRenderer::clear() {
+    const QSize size = window_.swapChainImageSize();
+    const std::array<VkClearValue, 2> values{};
+    VkRenderPassBeginInfo begin{};
+    begin.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;
+    begin.renderPass = window_.defaultRenderPass();
+    begin.framebuffer = window_.currentFramebuffer();
+    begin.renderArea.extent = {static_cast<std::uint32_t>(size.width()), static_cast<std::uint32_t>(size.height())};
+    begin.clearValueCount = values.size();
+    begin.pClearValues = values.data();
+    QVulkanDeviceFunctions& vulkan = *window_.vulkanInstance()->deviceFunctions(window_.device());
+    vulkan.vkCmdBeginRenderPass(window_.currentCommandBuffer(), &begin, VK_SUBPASS_CONTENTS_INLINE);
+    vulkan.vkCmdEndRenderPass(window_.currentCommandBuffer());
+}
+
+void CanvasRenderer::recordFrame() {
+    const CanvasState& state = window_.state();
+    const gpu::CommandEncoder encoder =
+        device_.beginAdoptedFrame(window_.currentCommandBuffer(), static_cast<std::uint32_t>(window_.currentFrame()));
+    bool busy = false;
+    if (state.photo != rendererPhoto_) {
+        // Another photograph: nothing of the old picture may be shown.
+        renderer_.reset();
+        rendererPhoto_ = state.photo;
+        hasResult_ = false;
+        progress_ = {};
+        sceneStale_ = true;
+    }
+    if (state.scene != nullptr && sceneStale_) {
+        if (renderer_ == nullptr) renderer_ = std::make_unique<render::Renderer>(device_);
+        renderer_->setScene(*state.scene, state.analysis);
+        sceneStale_ = false;
+    }
+    if (renderer_ != nullptr && !state.paused) {
+        gpu::CommandEncoder recording = encoder;
+        busy = renderer_->record(recording, kFrameBudget);
+        hasResult_ = true;
+        progress_ = renderer_->progress();
+        emit window_.progressChanged();
+    }
+    updateLabels();
+    recordProbe(encoder);
+    draw(encoder);
+    encoder.finish();
+    if (probePending_ && probe_.mapState() == gpu::BufferMapState::Unmapped) {
+        const QPoint cursor = state.cursor;
+        probe_.mapAsync(gpu::MapMode::Read, 0, gpu::kWholeSize,
+                        [this, cursor](gpu::MapAsyncStatus status, std::string_view) {
+                            if (status == gpu::MapAsyncStatus::Success) finishProbe(cursor.x(), cursor.y());
+                            probePending_ = false;
+                        });
+    }
+    if (busy || probePending_ || probeWanted_) window_.requestUpdate();
+}
+
+void CanvasRenderer::updateLabels() {
+    const CanvasState& state = window_.state();
+    if (labels_ && labelsOf_ == state.photo) return;
+    labelsOf_ = state.photo;
+    const bool known = state.photo != nullptr && !state.photo->labels.empty();
+    const core::LabelImage none(1, 1);
+    const core::LabelImage& source = known ? state.photo->labels : none;
+    labels_ = device_.createTexture(
+        {.label = "canvas labels",
+         .size = {static_cast<std::uint32_t>(source.width()), static_cast<std::uint32_t>(source.height()), 1},
+         .format = gpu::TextureFormat::R32Uint,
+         .usage = gpu::TextureUsage::TextureBinding | gpu::TextureUsage::CopyDst});
+    const std::vector<std::uint32_t> wide(source.pixels().begin(), source.pixels().end());
+    device_.queue().writeTexture(labels_, wide.data(), wide.size() * sizeof(std::uint32_t));
+}
+
+const gpu::Texture& CanvasRenderer::upload(Upload& slot, const std::shared_ptr<const CanvasPicture>& picture) {
+    if (picture == nullptr) return black_;
+    if (slot.texture && slot.picture == picture) return slot.texture;
+    slot.picture = picture;
+    slot.texture = device_.createTexture(
+        {.label = "canvas picture",
+         .size = {static_cast<std::uint32_t>(picture->width), static_cast<std::uint32_t>(picture->height), 1},
+         .format = gpu::TextureFormat::RGBA16Float,
+         .usage = gpu::TextureUsage::TextureBinding | gpu::TextureUsage::CopyDst});
+    device_.queue().writeTexture(slot.texture, picture->rgba.data(), picture->rgba.size() * sizeof(std::uint16_t));
+    return slot.texture;
+}
+
+void CanvasRenderer::probeCursor() {
+    if (!hasResult_) return;
+    probeWanted_ = true;
+    window_.redraw();
+}
+
+void CanvasRenderer::recordProbe(const gpu::CommandEncoder& encoder) {
+    const CanvasState& state = window_.state();
+    if (!probeWanted_ || probePending_ || !hasResult_ || probe_.mapState() != gpu::BufferMapState::Unmapped) return;
+    probeWanted_ = false;
+    const gpu::Texture result = renderer_->result();
+    if (!state.cursorInside || state.cursor.x() >= static_cast<int>(result.width()) ||
+        state.cursor.y() >= static_cast<int>(result.height())) {
+        return;
+    }
+    encoder.copyTextureToBuffer(
+        {.texture = result,
+         .origin = {static_cast<std::uint32_t>(state.cursor.x()), static_cast<std::uint32_t>(state.cursor.y()), 0}},
+        {.buffer = probe_, .layout = {}}, {1, 1, 1});
+    probePending_ = true;
+}
+
+void CanvasRenderer::finishProbe(int x, int y) {
+    const auto* rgba = static_cast<const float*>(probe_.getConstMappedRange());
+    const core::Vector3f value(rgba[0], rgba[1], rgba[2]);
+    probe_.unmap();
+    const CanvasState& state = window_.state();
+    if (!state.cursorInside || state.cursor != QPoint(x, y)) return;
+    emit window_.cursorMoved({.x = x, .y = y, .inside = true, .hasResult = true, .result = value});
+}
+
+kernel::CanvasBlock CanvasRenderer::block(bool encodedPicture) const {
+    const CanvasState& state = window_.state();
+    const double zoom = state.view.zoom();
+    const QPointF origin = state.view.origin();
+    const VkFormat format = window_.colorFormat();
+    const bool targetEncodes = format == VK_FORMAT_B8G8R8A8_SRGB || format == VK_FORMAT_R8G8B8A8_SRGB ||
+                               format == VK_FORMAT_A8B8G8R8_SRGB_PACK32;
+    kernel::CanvasBlock values;
+    values.origin = kernel::vec2(static_cast<float>(origin.x()), static_cast<float>(origin.y()));
+    values.step = static_cast<float>(1 / zoom);
+    values.gain = std::exp2(state.exposureStops);
+    values.flags = (encodedPicture ? CANVAS_PICTURE_ENCODED : 0u) | (targetEncodes ? CANVAS_TARGET_ENCODES : 0u) |
+                   (state.outlineShown && state.selected != 0 ? CANVAS_OUTLINE : 0u);
+    values.selected = state.selected;
+    return values;
+}
+
+void CanvasRenderer::draw(const gpu::CommandEncoder& encoder) {
+    const CanvasState& state = window_.state();
+    gpu::Texture picture = black_;
+    bool encoded = true;
+    bool shown = state.photo != nullptr;
+    const bool showOriginal =
+        state.comparing || state.layer == ViewLayer::Original || (state.layer == ViewLayer::Result && !hasResult_);
+    if (shown && showOriginal) {
+        picture = upload(original_, state.original);
+        encoded = false;
+        shown = state.original != nullptr;
+    } else if (shown && state.layer == ViewLayer::Result) {
+        picture = renderer_->result();
+        encoded = false;
+    } else if (shown) {
+        const auto& source = state.layerPicture != nullptr ? state.layerPicture : state.original;
+        picture = upload(layer_, source);
+        shown = source != nullptr;
+        encoded = shown && source->displayEncoded;
+    }
+    if (!bindGroup_ || !(picture == boundPicture_) || !(labels_ == boundLabels_)) {
+        bindGroup_ =
+            device_.createBindGroup({.label = "canvas",
+                                     .layout = pipeline_.getBindGroupLayout(0),
+                                     .entries = {{.binding = CANVAS_PICTURE, .textureView = picture.createView()},
+                                                 {.binding = CANVAS_LABELS, .textureView = labels_.createView()}}});
+        boundPicture_ = picture;
+        boundLabels_ = labels_;
+    }
+    kernel::CanvasBlock values = block(encoded);
+    if (!shown) {
+        // Nothing is open: the one black texel lies outside the view and the surround fills it.
+        values.origin = kernel::vec2(2.0f, 2.0f);
+        values.flags &= ~CANVAS_OUTLINE;
+    }
+    const QSize size = window_.swapChainImageSize();
+    VkClearValue color{};
+    color.color = {{0.2f, 0.2f, 0.2f, 1.0f}};
+    VkClearValue depth{};
+    depth.depthStencil = {1.0f, 0};
+    const gpu::RenderPassEncoder pass =
+        encoder.beginRenderPass(gpu::ExternalRenderPassDescriptor{.label = "canvas",
+                                                                  .renderPass = window_.defaultRenderPass(),
+                                                                  .framebuffer = window_.currentFramebuffer(),
+                                                                  .width = static_cast<std::uint32_t>(size.width()),
+                                                                  .height = static_cast<std::uint32_t>(size.height()),
+                                                                  .clearValues = {color, depth}});
+    pass.setPipeline(pipeline_);
+    pass.setBindGroup(0, bindGroup_);
+    pass.setPushConstants(values);
+    pass.draw(3);
+    pass.end();
+    drawn_ = true;
+}
+
+}  // namespace ui

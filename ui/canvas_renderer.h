@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QVulkanWindowRenderer>
+#include <memory>
+
+#include "core/render/renderer.h"
+#include "gpu/device.h"
+#include "shaders/shared/canvas_block.h"
+#include "ui/canvas_window.h"
+
+namespace ui {
+
+/// The device side of the canvas: the window's device as gpu::Device, the progressive renderer on it, one draw a frame.
+/// Everything here can be lost and is made again from CanvasState.
+class CanvasRenderer : public QVulkanWindowRenderer {
+  public:
+    explicit CanvasRenderer(CanvasWindow& window) : window_(window) {}
+
+    void initResources() override;
+    void releaseResources() override;
+    void startNextFrame() override;
+    void logicalDeviceLost() override;
+    void physicalDeviceLost() override;
+
+    /// The scene in the state changed.
+    void sceneChanged() { sceneStale_ = true; }
+    [[nodiscard]] bool upToDate() const { return !sceneStale_ && hasResult_; }
+    /// Forgets a failure, for example memory that a smaller photograph does not need.
+    void retry();
+    /// Reads the result under the cursor with the next frame; the answer comes as CanvasWindow::cursorMoved.
+    void probeCursor();
+
+    [[nodiscard]] render::Renderer::Progress progress() const { return progress_; }
+    [[nodiscard]] const QString& deviceName() const { return deviceName_; }
+
+  private:
+    void recordFrame();
+    void updateLabels();
+    void recordProbe(const gpu::CommandEncoder& encoder);
+    void finishProbe(int x, int y);
+    void draw(const gpu::CommandEncoder& encoder);
+    [[nodiscard]] kernel::CanvasBlock block(bool encodedPicture) const;
+    /// The texture of a CPU picture, uploaded when it is another one than last time.
+    struct Upload {
+        std::shared_ptr<const CanvasPicture> picture;
+        gpu::Texture texture;
+    };
+    [[nodiscard]] const gpu::Texture& upload(Upload& slot, const std::shared_ptr<const CanvasPicture>& picture);
+    /// A frame that could not be recorded still has to be presentable.
+    void clear();
+    void fail(const QString& sentence);
+    void drop();
+
+    CanvasWindow& window_;
+    gpu::Device device_;
+    QString deviceName_;
+    gpu::RenderPipeline pipeline_;
+    std::unique_ptr<render::Renderer> renderer_;
+    std::shared_ptr<const core::Photo> rendererPhoto_;
+    render::Renderer::Progress progress_;
+    bool sceneStale_ = true;
+    bool hasResult_ = false;
+    bool failed_ = false;
+    bool drawn_ = false;
+    Upload original_;
+    Upload layer_;
+    std::shared_ptr<const core::Photo> labelsOf_;
+    gpu::Texture labels_;
+    gpu::Texture black_;
+    gpu::Texture boundPicture_;
+    gpu::Texture boundLabels_;
+    gpu::BindGroup bindGroup_;
+    gpu::Buffer probe_;
+    bool probeWanted_ = false;
+    bool probePending_ = false;
+};
+
+}  // namespace ui

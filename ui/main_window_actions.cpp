@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The menus and the tool bar of MainWindow.
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QTextBrowser>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "ui/main_window.h"
+
+namespace ui {
+
+QAction* MainWindow::addAction(QMenu* menu, const QString& key, const QString& text, const QKeySequence& shortcut,
+                               const QString& help, const std::function<void()>& run) {
+    auto* action = new QAction(text, this);
+    action->setObjectName(key);
+    action->setShortcut(shortcut);
+    const QString keys = shortcut.toString(QKeySequence::NativeText);
+    action->setToolTip(keys.isEmpty() ? help : QStringLiteral("%1 (%2)").arg(help, keys));
+    action->setStatusTip(help);
+    connect(action, &QAction::triggered, this, run);
+    menu->addAction(action);
+    return action;
+}
+
+void MainWindow::makeActions() {
+    makeFileMenu();
+    makeEditMenu();
+    makeViewMenu();
+    makeHelpMenu();
+}
+
+void MainWindow::makeFileMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&File"));
+    addAction(menu, "actionNew", tr("&New from photo and depth…"), QKeySequence::New,
+              tr("Start a project from a photograph and its depth map"), [this] { chooseNew(); });
+    addAction(menu, "actionOpen", tr("&Open…"), QKeySequence::Open, tr("Open a project"), [this] { chooseOpen(); });
+    recent_ = menu->addMenu(tr("Open &recent"));
+    recent_->setObjectName(QStringLiteral("recentMenu"));
+    menu->addSeparator();
+    save_ = addAction(menu, "actionSave", tr("&Save"), QKeySequence::Save, tr("Save the project"), [this] { save(); });
+    saveAs_ = addAction(menu, "actionSaveAs", tr("Save &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
+                        tr("Save the project under another name"), [this] { saveAs(); });
+    menu->addSeparator();
+    exportPicture_ = addAction(
+        menu, "actionExportPicture", tr("&Export picture…"), QKeySequence(Qt::CTRL | Qt::Key_E),
+        tr("Render the edited photograph to the end and save it"), [this] {
+            chooseExport(tr("Export picture"), QStringLiteral("edited.png"),
+                         tr("PNG, 16 bit (*.png);;OpenEXR, linear (*.exr);;TIFF, 16 bit (*.tif);;JPEG (*.jpg);;"
+                            "Radiance HDR, linear (*.hdr)"),
+                         &MainWindow::exportPicture);
+        });
+    exportSegmentation_ =
+        addAction(menu, "actionExportSegmentation", tr("Export se&gmentation…"), {}, tr("Save the label map"), [this] {
+            chooseExport(tr("Export segmentation"), QStringLiteral("segments.png"),
+                         tr("PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr)"), &MainWindow::exportSegmentation);
+        });
+    exportEnvironment_ =
+        addAction(menu, "actionExportEnvironment", tr("Export en&vironment…"), {},
+                  tr("Save the light around the scene as a latitude-longitude map"), [this] {
+                      chooseExport(tr("Export environment"), QStringLiteral("environment.exr"),
+                                   tr("OpenEXR, linear (*.exr);;Radiance HDR, linear (*.hdr);;PNG (*.png)"),
+                                   &MainWindow::exportEnvironment);
+                  });
+    menu->addSeparator();
+    addAction(menu, "actionDevice", tr("&Device…"), {}, tr("Choose the graphics device"), [this] { chooseDevice(); });
+    menu->addSeparator();
+    addAction(menu, "actionQuit", tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), tr("Leave Patina"),
+              [this] { close(); });
+}
+
+void MainWindow::makeEditMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&Edit"));
+    undo_ = addAction(menu, "actionUndo", tr("&Undo"), QKeySequence::Undo, tr("Take back the last step"),
+                      [this] { workspace_.document().undo(); });
+    redo_ = addAction(menu, "actionRedo", tr("&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z),
+                      tr("Repeat the step that was taken back"), [this] { workspace_.document().redo(); });
+    menu->addSeparator();
+    addAction(menu, "actionDeselect", tr("&Deselect"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
+              tr("Select no segment"), [this] { workspace_.select(0); });
+}
+
+void MainWindow::makeViewMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&View"));
+    layers_ = new QActionGroup(this);
+    int number = 1;
+    for (const ViewLayer layer : kViewLayers) {
+        QAction* action = addAction(menu, QStringLiteral("actionLayer_") + layerKey(layer), layerTitle(layer),
+                                    QKeySequence(QStringLiteral("Ctrl+%1").arg(number++)),
+                                    tr("Show: %1").arg(layerTitle(layer)), [this, layer] { setLayer(layer); });
+        action->setCheckable(true);
+        layers_->addAction(action);
+    }
+    layers_->actions().front()->setChecked(true);
+    menu->addSeparator();
+    addAction(menu, "actionFit", tr("&Fit in window"), QKeySequence(Qt::CTRL | Qt::Key_0), tr("Show the whole picture"),
+              [this] { canvas_->zoomToFit(); });
+    addAction(menu, "actionZoom100", tr("&100 %"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_0),
+              tr("One picture pixel on one screen pixel"), [this] { canvas_->setZoom(1); });
+    addAction(menu, "actionZoomIn", tr("Zoom &in"), QKeySequence::ZoomIn, tr("Larger"),
+              [this] { canvas_->setZoom(canvas_->zoom() * 1.4142); });
+    addAction(menu, "actionZoomOut", tr("Zoom &out"), QKeySequence::ZoomOut, tr("Smaller"),
+              [this] { canvas_->setZoom(canvas_->zoom() / 1.4142); });
+    menu->addSeparator();
+    constexpr double kStep = 1.0 / 3;
+    addAction(menu, "actionExposureUp", tr("&Brighter"), QKeySequence(Qt::CTRL | Qt::Key_BracketRight),
+              tr("View a third of a stop brighter; the picture itself is not changed"),
+              [this] { setExposure(exposureStops_ + kStep); });
+    addAction(menu, "actionExposureDown", tr("&Darker"), QKeySequence(Qt::CTRL | Qt::Key_BracketLeft),
+              tr("View a third of a stop darker; the picture itself is not changed"),
+              [this] { setExposure(exposureStops_ - kStep); });
+    addAction(menu, "actionExposureReset", tr("&Normal exposure"), QKeySequence(Qt::CTRL | Qt::Key_Backslash),
+              tr("View as exposed"), [this] { setExposure(0); });
+    menu->addSeparator();
+    QAction* outline = addAction(menu, "actionOutline", tr("Selection ou&tline"), QKeySequence(Qt::CTRL | Qt::Key_H),
+                                 tr("Outline the selected segment"), [] {});
+    outline->setCheckable(true);
+    outline->setChecked(true);
+    connect(outline, &QAction::toggled, this, [this](bool on) { canvas_->setOutlineShown(on); });
+    panels_ = menu->addMenu(tr("&Panels"));
+}
+
+void MainWindow::makeHelpMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&Help"));
+    addAction(menu, "actionManual", tr("&Manual"), QKeySequence::HelpContents, tr("How to use Patina"),
+              [this] { showManual(); });
+    addAction(menu, "actionAbout", tr("&About Patina"), {}, tr("Version and device"), [this] { showAbout(); });
+}
+
+void MainWindow::makeToolBar() {
+    auto* bar = new QToolBar(tr("Tools"), this);
+    bar->setObjectName(QStringLiteral("toolBar"));
+    bar->setMovable(false);
+    bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    for (const char* key : {"actionOpen", "actionSave", "actionExportPicture"}) {
+        bar->addAction(findChild<QAction*>(QString::fromUtf8(key)));
+    }
+    bar->addSeparator();
+    bar->addAction(undo_);
+    bar->addAction(redo_);
+    bar->addSeparator();
+    bar->addWidget(new QLabel(tr(" Show "), bar));
+    layerBox_ = new QComboBox(bar);
+    layerBox_->setObjectName(QStringLiteral("layerBox"));
+    layerBox_->setAccessibleName(tr("What to show"));
+    layerBox_->setToolTip(tr("What the canvas shows. Hold C, or the right mouse button, to see the original."));
+    for (const ViewLayer layer : kViewLayers) layerBox_->addItem(layerTitle(layer));
+    connect(layerBox_, &QComboBox::currentIndexChanged, this,
+            [this](int index) { setLayer(kViewLayers.at(static_cast<std::size_t>(index))); });
+    bar->addWidget(layerBox_);
+    bar->addWidget(new QLabel(tr("  Exposure "), bar));
+    exposureBox_ = new QDoubleSpinBox(bar);
+    exposureBox_->setObjectName(QStringLiteral("exposure"));
+    exposureBox_->setAccessibleName(tr("Exposure of the view"));
+    exposureBox_->setToolTip(tr("Brightness of the view in stops; the picture itself is not changed"));
+    exposureBox_->setRange(-10, 10);
+    exposureBox_->setSingleStep(1.0 / 3);
+    exposureBox_->setDecimals(2);
+    exposureBox_->setSuffix(tr(" EV"));
+    connect(exposureBox_, &QDoubleSpinBox::valueChanged, this, &MainWindow::setExposure);
+    bar->addWidget(exposureBox_);
+    bar->addSeparator();
+    for (const char* key : {"actionFit", "actionZoom100"}) {
+        bar->addAction(findChild<QAction*>(QString::fromUtf8(key)));
+    }
+    addToolBar(bar);
+}
+
+void MainWindow::showManual() {
+    auto* dialog = new QDialog(this);
+    dialog->setObjectName(QStringLiteral("manual"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Manual"));
+    dialog->resize(760, 720);
+    auto* text = new QTextBrowser(dialog);
+    text->setOpenExternalLinks(true);
+    QFile file(QStringLiteral(":/docs/manual.md"));
+    if (file.open(QIODevice::ReadOnly)) text->setMarkdown(QString::fromUtf8(file.readAll()));
+    auto* layout = new QVBoxLayout(dialog);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(text);
+    dialog->show();
+}
+
+void MainWindow::showAbout() {
+    const QString device = canvas_->deviceName().isEmpty() ? tr("none") : canvas_->deviceName();
+    auto* box = new QMessageBox(
+        QMessageBox::NoIcon, tr("About Patina"),
+        tr("<h3>Patina %1</h3><p>Changes what things in a photograph are made of.</p>"
+           "<p>After S. Bergmann, T. Ritschel, C. Dachsbacher, <i>Interactive Appearance Editing in RGB-D Images</i>, "
+           "VMV 2014.</p><p>Device: %2<br>Qt %3</p><p>Free software under the GNU General Public License, version 3 or "
+           "later.</p>")
+            .arg(QStringLiteral(PATINA_VERSION), device.toHtmlEscaped(), QString::fromUtf8(qVersion())),
+        QMessageBox::Ok, this);
+    box->setObjectName(QStringLiteral("about"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+}  // namespace ui

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of MainWindow: everything that reads or writes, off the window's thread.
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QSettings>
+#include <QStatusBar>
+#include <utility>
+
+#include "core/io/image_io.h"
+#include "core/io/project.h"
+#include "core/pipeline.h"
+#include "core/render/renderer.h"
+#include "gpu/adapter.h"
+#include "gpu/instance.h"
+#include "ui/main_window.h"
+#include "ui/new_photo_dialog.h"
+
+namespace ui {
+
+namespace {
+constexpr int kRecentCount = 10;
+const char* const kRecentKey = "recentFiles";
+}  // namespace
+
+void MainWindow::runTask(const QString& title, BackgroundTask::Work work, std::function<void()> succeeded) {
+    if (task_ != nullptr) {
+        statusBar()->showMessage(tr("Please wait until the running work is done."), 4000);
+        return;
+    }
+    progressDialog_ = new QProgressDialog(title, tr("Cancel"), 0, 1000, this);
+    progressDialog_->setObjectName(QStringLiteral("progressDialog"));
+    progressDialog_->setWindowTitle(tr("Patina"));
+    progressDialog_->setWindowModality(Qt::WindowModal);
+    progressDialog_->setMinimumDuration(500);
+    progressDialog_->setAutoClose(false);
+    progressDialog_->setAutoReset(false);
+    progressDialog_->setValue(0);
+    task_ = std::make_unique<BackgroundTask>(std::move(work));
+    connect(progressDialog_, &QProgressDialog::canceled, task_.get(), &BackgroundTask::cancel);
+    connect(task_.get(), &BackgroundTask::progress, this, [this, title](const QString& step, double fraction) {
+        if (progressDialog_ == nullptr || progressDialog_->wasCanceled()) return;
+        progressDialog_->setLabelText(step.isEmpty() ? title : QStringLiteral("%1\n%2").arg(title, step));
+        progressDialog_->setValue(static_cast<int>(fraction * 1000));
+    });
+    connect(task_.get(), &BackgroundTask::succeeded, this, [this, succeeded = std::move(succeeded)] {
+        const auto then = succeeded;  // the task, and with it this lambda, ends first
+        endTask();
+        then();
+    });
+    connect(task_.get(), &BackgroundTask::failed, this, [this](const QString& sentence) {
+        const QString text = sentence;
+        endTask();
+        showError(text);
+    });
+    connect(task_.get(), &BackgroundTask::cancelled, this, [this] {
+        endTask();
+        statusBar()->showMessage(tr("Cancelled."), 4000);
+    });
+    task_->start();
+}
+
+void MainWindow::endTask() {
+    canvas_->setPaused(false);
+    if (progressDialog_ != nullptr) progressDialog_->deleteLater();
+    progressDialog_ = nullptr;
+    task_.release()->deleteLater();
+}
+
+void MainWindow::confirmDiscard(std::function<void()> proceed) {
+    if (!workspace_.document().modified()) {
+        proceed();
+        return;
+    }
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Patina"),
+                                tr("The project has changes that are not saved. Save them first?"),
+                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    box->setObjectName(QStringLiteral("discardDialog"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    connect(box, &QMessageBox::buttonClicked, this, [this, box, proceed = std::move(proceed)](QAbstractButton* button) {
+        const auto then = proceed;
+        if (box->standardButton(button) == QMessageBox::Save) save(then);
+        if (box->standardButton(button) == QMessageBox::Discard) then();
+    });
+    box->open();
+}
+
+void MainWindow::openFile(const QString& path) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    static const QStringList kPictures = {"exr", "png", "jpg", "jpeg", "tif", "tiff", "hdr"};
+    if (kPictures.contains(suffix)) {
+        chooseNew(path);
+        return;
+    }
+    confirmDiscard([this, path] {
+        openScene(
+            tr("Opening %1").arg(QFileInfo(path).fileName()), [path] { return core::loadProject(path.toStdString()); },
+            path);
+    });
+}
+
+void MainWindow::createFrom(const core::CreateOptions& options) {
+    confirmDiscard([this, options] {
+        openScene(tr("Reading %1").arg(QFileInfo(QString::fromStdString(options.color)).fileName()),
+                  [options] { return core::createScene(options); }, {});
+    });
+}
+
+void MainWindow::openScene(const QString& title, std::function<core::Scene()> load, const QString& path) {
+    struct Loaded {
+        core::Scene scene;
+        std::shared_ptr<const CanvasPicture> original;
+    };
+    auto loaded = std::make_shared<Loaded>();
+    runTask(
+        title,
+        [loaded, load = std::move(load)](const core::StepContext& context) {
+            context.checkpoint({}, 0);
+            loaded->scene = load();
+            context.checkpoint({}, 0.7f);
+            loaded->original = makeCanvasPicture({loaded->scene.photo->color, false});
+            context.checkpoint({}, 1);
+        },
+        [this, loaded, path] {
+            workspace_.setDocument(core::Document(std::move(loaded->scene), path.toStdString()));
+            canvas_->setOriginal(loaded->original);
+            refreshLayerPicture();
+            if (!path.isEmpty()) addRecent(path);
+        });
+}
+
+void MainWindow::chooseNew(const QString& colorFile) {
+    auto* dialog = new NewPhotoDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    if (!colorFile.isEmpty()) dialog->setColorFile(colorFile);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { createFrom(dialog->options()); });
+    dialog->open();
+}
+
+void MainWindow::chooseOpen() {
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Open"), {}, tr("Patina projects (*.patina);;All files (*)"));
+    if (!path.isEmpty()) openFile(path);
+}
+
+void MainWindow::save(std::function<void()> then) {
+    const QString path = QString::fromStdString(workspace_.document().path());
+    if (path.isEmpty()) {
+        saveAs(std::move(then));
+    } else {
+        saveTo(path, std::move(then));
+    }
+}
+
+void MainWindow::saveAs(std::function<void()> then) {
+    QString path = QFileDialog::getSaveFileName(this, tr("Save as"), QStringLiteral("untitled.patina"),
+                                                tr("Patina projects (*.patina)"));
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".patina");
+    saveTo(path, std::move(then));
+}
+
+void MainWindow::saveTo(const QString& path, std::function<void()> then) {
+    const std::uint64_t generation = workspace_.generation();
+    runTask(
+        tr("Saving %1").arg(QFileInfo(path).fileName()),
+        [scene = workspace_.scene(), path](const core::StepContext&) { core::saveProject(scene, path.toStdString()); },
+        [this, path, generation, then = std::move(then)] {
+            // A step made while the file was written is not in the file.
+            if (generation == workspace_.generation()) workspace_.document().setSaved(path.toStdString());
+            addRecent(path);
+            updateTitle();
+            statusBar()->showMessage(tr("Saved %1").arg(path), 4000);
+            if (then) then();
+        });
+}
+
+void MainWindow::chooseExport(const QString& title, const QString& name, const QString& filter,
+                              void (MainWindow::*write)(const QString&)) {
+    QString chosen;
+    QString path = QFileDialog::getSaveFileName(this, title, name, filter, &chosen);
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".") + chosen.section("*.", 1).section(')', 0, 0);
+    (this->*write)(path);
+}
+
+void MainWindow::exportPicture(const QString& path) {
+    if (!workspace_.hasPhoto()) return;
+    const std::shared_ptr<const core::Analysis> known = analysing_ ? nullptr : workspace_.analysis();
+    // The device is shared with the export: the preview waits.
+    canvas_->setPaused(true);
+    runTask(
+        tr("Exporting %1").arg(QFileInfo(path).fileName()),
+        [scene = workspace_.scene(), known, path,
+         wish = options_.device.toStdString()](const core::StepContext& context) {
+            const gpu::Device device =
+                gpu::Instance::create().requestAdapter({.device = wish}).requestDevice({.label = "export"});
+            const auto analysis = known != nullptr ? known : core::AnalysisPipeline().run(scene, context);
+            core::saveColor(render::renderImage(device, scene, analysis, context), path.toStdString());
+        },
+        [this, path] { statusBar()->showMessage(tr("Exported %1").arg(path), 6000); });
+}
+
+void MainWindow::exportSegmentation(const QString& path) {
+    if (!workspace_.hasPhoto()) return;
+    runTask(
+        tr("Exporting %1").arg(QFileInfo(path).fileName()),
+        [photo = workspace_.scene().photo, path](const core::StepContext&) {
+            core::saveLabels(photo->labels, path.toStdString());
+        },
+        [this, path] { statusBar()->showMessage(tr("Exported %1").arg(path), 6000); });
+}
+
+void MainWindow::exportEnvironment(const QString& path) {
+    const auto analysis = workspace_.analysis();
+    if (analysis == nullptr || analysis->environment == nullptr) return;
+    runTask(
+        tr("Exporting %1").arg(QFileInfo(path).fileName()),
+        [map = analysis->environment, path](const core::StepContext&) {
+            core::saveDirectionalMap(*map, path.toStdString());
+        },
+        [this, path] { statusBar()->showMessage(tr("Exported %1").arg(path), 6000); });
+}
+
+void MainWindow::addRecent(const QString& path) {
+    QSettings settings;
+    QStringList files = settings.value(kRecentKey).toStringList();
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    settings.setValue(kRecentKey, files.mid(0, kRecentCount));
+    refreshRecent();
+}
+
+void MainWindow::refreshRecent() {
+    recent_->clear();
+    for (const QString& path : QSettings().value(kRecentKey).toStringList()) {
+        QAction* action = recent_->addAction(QFileInfo(path).fileName());
+        action->setToolTip(path);
+        action->setStatusTip(path);
+        connect(action, &QAction::triggered, this, [this, path] { openFile(path); });
+    }
+    recent_->setEnabled(!recent_->isEmpty());
+}
+
+}  // namespace ui

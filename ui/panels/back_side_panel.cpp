@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/back_side_panel.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "core/io/image_io.h"
+#include "ui/widgets/param_slider.h"
+#include "ui/widgets/profile_view.h"
+
+namespace ui {
+
+namespace {
+constexpr float kMillimetres = 1000;
+}
+
+BackSidePanel::BackSidePanel(Workspace& workspace, QWidget* parent) : Panel(workspace, parent) {
+    title_ = new QLabel(this);
+    title_->setObjectName(QStringLiteral("backSideTitle"));
+    method_ = new QComboBox(this);
+    method_->setObjectName(QStringLiteral("backSideMethod"));
+    method_->setAccessibleName(tr("Back side method"));
+    method_->setToolTip(tr("How the side the camera does not see is invented"));
+    method_->addItem(tr("Mirrored at a fitted plane"), static_cast<int>(core::BackSideMethod::PcaMirror));
+    method_->addItem(tr("Mirrored at a plane facing the camera"),
+                     static_cast<int>(core::BackSideMethod::ParallelMirror));
+    method_->addItem(tr("Constant thickness"), static_cast<int>(core::BackSideMethod::Offset));
+    offset_ = addSegmentSlider({.key = "backSideOffset",
+                                .label = tr("Thickness"),
+                                .unit = tr("mm"),
+                                .toolTip = tr("Distance between front and back, for constant thickness"),
+                                .minimum = 0.1,
+                                .maximum = 1000,
+                                .initial = 50,
+                                .logarithmic = true,
+                                .decimals = 1},
+                               [](core::Segment& s, float v) { s.backSide.offset = v / kMillimetres; });
+    thickness_ = addSegmentSlider({.key = "backSideMinThickness",
+                                   .label = tr("At least"),
+                                   .unit = tr("mm"),
+                                   .toolTip = tr("Smallest thickness anywhere on the segment"),
+                                   .minimum = 0.1,
+                                   .maximum = 100,
+                                   .initial = 2,
+                                   .logarithmic = true,
+                                   .decimals = 1},
+                                  [](core::Segment& s, float v) { s.backSide.minThickness = v / kMillimetres; });
+    profile_ = new ProfileView(this);
+    profile_->setObjectName(QStringLiteral("backSideProfile"));
+    profile_->setAccessibleName(tr("Preview of the back side"));
+
+    auto* file = new QGroupBox(tr("Measured back side"), this);
+    backDepth_ = new QLabel(file);
+    backDepth_->setObjectName(QStringLiteral("backDepthFile"));
+    loadBackDepth_ = new QPushButton(tr("Load…"), file);
+    loadBackDepth_->setObjectName(QStringLiteral("loadBackDepth"));
+    loadBackDepth_->setToolTip(tr("Use a depth map of the far side (metres, planar) in place of the invented one"));
+    clearBackDepth_ = new QPushButton(tr("Clear"), file);
+    clearBackDepth_->setObjectName(QStringLiteral("clearBackDepth"));
+    clearBackDepth_->setToolTip(tr("Go back to the invented back side"));
+    auto* fileLayout = new QHBoxLayout(file);
+    fileLayout->addWidget(backDepth_, 1);
+    fileLayout->addWidget(loadBackDepth_);
+    fileLayout->addWidget(clearBackDepth_);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->addWidget(title_);
+    layout->addWidget(method_);
+    layout->addWidget(offset_);
+    layout->addWidget(thickness_);
+    layout->addWidget(profile_, 1);
+    layout->addWidget(file);
+
+    connect(method_, &QComboBox::activated, this, [this](int index) {
+        const auto method = static_cast<core::BackSideMethod>(method_->itemData(index).toInt());
+        this->workspace().editSelected(tr("Change back side"),
+                                       [method](core::Segment& s) { s.backSide.method = method; });
+    });
+    connect(loadBackDepth_, &QPushButton::clicked, this, &BackSidePanel::chooseBackDepth);
+    connect(clearBackDepth_, &QPushButton::clicked, this, [this] {
+        this->workspace().editScene(tr("Remove measured back side"), [](core::Scene& scene) {
+            scene.backDepthPath.clear();
+            scene.backDepth.reset();
+        });
+    });
+    connect(&workspace, &Workspace::sceneChanged, this, &BackSidePanel::refresh);
+    connect(&workspace, &Workspace::selectionChanged, this, &BackSidePanel::refresh);
+    connect(&workspace, &Workspace::selectionChanged, this, &BackSidePanel::refreshPreview);
+    connect(&workspace, &Workspace::analysisChanged, this, &BackSidePanel::refreshPreview);
+    refresh();
+    refreshPreview();
+}
+
+void BackSidePanel::refresh() {
+    const core::Scene& scene = workspace().scene();
+    const core::Segment* segment = workspace().selectedSegment();
+    const bool measured = scene.backDepth != nullptr;
+    title_->setText(segment != nullptr ? QString::fromStdString(segment->name) : tr("No segment selected"));
+    method_->setEnabled(segment != nullptr && !measured);
+    thickness_->setEnabled(segment != nullptr);
+    offset_->setEnabled(segment != nullptr && !measured && segment->backSide.method == core::BackSideMethod::Offset);
+    loadBackDepth_->setEnabled(workspace().hasPhoto());
+    clearBackDepth_->setEnabled(measured);
+    backDepth_->setText(measured ? QFileInfo(QString::fromStdString(scene.backDepthPath)).fileName() : tr("None"));
+    if (segment == nullptr) return;
+    const QSignalBlocker block(method_);
+    method_->setCurrentIndex(method_->findData(static_cast<int>(segment->backSide.method)));
+    offset_->setValue(static_cast<double>(segment->backSide.offset * kMillimetres));
+    thickness_->setValue(static_cast<double>(segment->backSide.minThickness * kMillimetres));
+}
+
+void BackSidePanel::refreshPreview() {
+    const core::Segment* segment = workspace().selectedSegment();
+    const auto& analysis = workspace().analysis();
+    if (segment == nullptr) {
+        profile_->clear(tr("Select a segment to see its front and back."));
+    } else if (analysis == nullptr || analysis->front == nullptr || analysis->back == nullptr) {
+        profile_->clear(tr("The geometry is being computed."));
+    } else {
+        profile_->show(workspace().scene().photo->labels, segment->label, *analysis->front, *analysis->back);
+    }
+}
+
+void BackSidePanel::chooseBackDepth() {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Measured back side"), {},
+                                                      tr("Depth maps (*.exr *.png *.tif *.tiff *.pfm);;All files (*)"));
+    if (path.isEmpty()) return;
+    try {
+        auto depth = std::make_shared<core::ImageF>(core::loadScalar(path.toStdString()));
+        const core::ImageRgb& color = workspace().scene().photo->color;
+        if (!depth->sameSize(color)) {
+            emit error(tr("The back side \"%1\" is %2x%3 pixels, but the photograph is %4x%5.")
+                           .arg(path)
+                           .arg(depth->width())
+                           .arg(depth->height())
+                           .arg(color.width())
+                           .arg(color.height()));
+            return;
+        }
+        for (float& z : depth->pixels()) z = std::isfinite(z) && z > 0 ? z : 0.0f;
+        workspace().editScene(tr("Load measured back side"), [&](core::Scene& scene) {
+            scene.backDepthPath = path.toStdString();
+            scene.backDepth = depth;
+        });
+    } catch (const core::Error& problem) {
+        emit error(QString::fromUtf8(problem.what()));
+    }
+}
+
+}  // namespace ui

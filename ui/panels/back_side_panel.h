@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/panels/panel.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace ui {
+
+class ParamSlider;
+class ProfileView;
+
+/// How the unseen back of the selected segment is invented, with a cut through it.
+class BackSidePanel : public Panel {
+    Q_OBJECT
+  public:
+    explicit BackSidePanel(Workspace& workspace, QWidget* parent = nullptr);
+
+  private:
+    void refresh();
+    void refreshPreview();
+    void chooseBackDepth();
+
+    QLabel* title_ = nullptr;
+    QComboBox* method_ = nullptr;
+    ParamSlider* offset_ = nullptr;
+    ParamSlider* thickness_ = nullptr;
+    ProfileView* profile_ = nullptr;
+    QLabel* backDepth_ = nullptr;
+    QPushButton* loadBackDepth_ = nullptr;
+    QPushButton* clearBackDepth_ = nullptr;
+};
+
+}  // namespace ui

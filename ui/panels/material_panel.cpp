@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/material_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "core/brdf.h"
+#include "core/translucency.h"
+#include "ui/widgets/color_button.h"
+#include "ui/widgets/param_slider.h"
+#include "ui/widgets/vector_edit.h"
+
+namespace ui {
+
+namespace {
+
+constexpr int kLabelWidth = 104;
+
+QWidget* makeRow(const QString& label, const std::vector<QWidget*>& widgets, QWidget* parent) {
+    auto* row = new QWidget(parent);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto* title = new QLabel(label, row);
+    title->setMinimumWidth(kLabelWidth);
+    title->setBuddy(widgets.front());
+    layout->addWidget(title);
+    for (QWidget* widget : widgets) layout->addWidget(widget, 1);
+    return row;
+}
+
+}  // namespace
+
+MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : Panel(workspace, parent) {
+    title_ = new QLabel(this);
+    title_->setObjectName(QStringLiteral("materialTitle"));
+    brdf_ = new QComboBox(this);
+    brdf_->setObjectName(QStringLiteral("materialBrdf"));
+    brdf_->setAccessibleName(tr("Material"));
+    brdf_->setToolTip(tr("How the new surface reflects light"));
+    brdf_->addItem(tr("As photographed"), QString());
+    for (const core::BrdfInfo& info : core::brdfs()) {
+        brdf_->addItem(QCoreApplication::translate("brdfs", info.label), QString::fromUtf8(info.key));
+    }
+    remove_ = new QPushButton(tr("Remove edit"), this);
+    remove_->setObjectName(QStringLiteral("removeEdit"));
+    remove_->setToolTip(tr("Show the segment as it was photographed"));
+
+    auto* inner = new QWidget(this);
+    body_ = inner;
+    auto* bodyLayout = new QVBoxLayout(inner);
+    bodyLayout->setContentsMargins(0, 0, 4, 0);
+    makeSurfaceGroup();
+    makeBlendGroup();
+    makeTranslucencyGroup();
+    bodyLayout->addStretch(1);
+
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(inner);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(inner->minimumSizeHint().width() + 20);
+
+    auto* top = new QHBoxLayout;
+    top->addWidget(title_, 1);
+    top->addWidget(remove_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 4, 8);
+    layout->addLayout(top);
+    layout->addWidget(brdf_);
+    layout->addWidget(scroll, 1);
+
+    connect(brdf_, &QComboBox::activated, this,
+            [this](int index) { chooseBrdf(brdf_->itemData(index).toString().toStdString()); });
+    connect(remove_, &QPushButton::clicked, this, [this] { chooseBrdf({}); });
+    connect(&workspace, &Workspace::sceneChanged, this, &MaterialPanel::refresh);
+    connect(&workspace, &Workspace::selectionChanged, this, &MaterialPanel::refresh);
+    connect(&workspace, &Workspace::analysisChanged, this, &MaterialPanel::refresh);
+    refresh();
+}
+
+ParamSlider* MaterialPanel::addMaterialSlider(const ParamSpec& spec, std::function<void(core::Material&, float)> set) {
+    return addSegmentSlider(spec, [set = std::move(set)](core::Segment& segment, float value) {
+        if (segment.edit) set(*segment.edit, value);
+    });
+}
+
+void MaterialPanel::makeSurfaceGroup() {
+    auto* group = new QGroupBox(tr("Surface"), body_);
+    albedo_ = new ColorButton(QStringLiteral("materialAlbedo"), tr("Diffuse colour"), group);
+    specular_ = new ColorButton(QStringLiteral("materialSpecular"), tr("Specular colour"), group);
+    specularEstimated_ = new QCheckBox(tr("Estimated"), group);
+    specularEstimated_->setObjectName(QStringLiteral("materialSpecularEstimated"));
+    specularEstimated_->setToolTip(tr("Use the reflectance estimated from the photograph (glossy segments)"));
+    albedoRow_ = makeRow(tr("Diffuse"), {albedo_}, group);
+    specularRow_ = makeRow(tr("Specular"), {specular_, specularEstimated_}, group);
+    auto* params = new QWidget(group);
+    paramLayout_ = new QVBoxLayout(params);
+    paramLayout_->setContentsMargins(0, 0, 0, 0);
+    fresnel_ = new QComboBox(group);
+    fresnel_->setObjectName(QStringLiteral("materialFresnel"));
+    fresnel_->setAccessibleName(tr("Fresnel"));
+    fresnel_->setToolTip(tr("How reflection grows towards grazing angles"));
+    fresnel_->addItem(tr("Same at every angle"), static_cast<int>(core::Fresnel::None));
+    fresnel_->addItem(tr("Schlick"), static_cast<int>(core::Fresnel::Schlick));
+    fresnel_->addItem(tr("Dielectric"), static_cast<int>(core::Fresnel::Dielectric));
+    fresnel_->addItem(tr("Conductor"), static_cast<int>(core::Fresnel::Conductor));
+    fresnelRow_ = makeRow(tr("Fresnel"), {fresnel_}, group);
+    eta_ = new VectorEdit(QStringLiteral("materialEta"), tr("Index n"), tr("Index of refraction"), 0.01, 20, 3, group);
+    k_ = new VectorEdit(QStringLiteral("materialK"), tr("Extinction k"), tr("Extinction coefficient of a metal"), 0, 20,
+                        3, group);
+
+    auto* layout = new QVBoxLayout(group);
+    layout->addWidget(albedoRow_);
+    layout->addWidget(specularRow_);
+    layout->addWidget(params);
+    layout->addWidget(fresnelRow_);
+    layout->addWidget(eta_);
+    layout->addWidget(k_);
+    body_->layout()->addWidget(group);
+
+    connect(albedo_, &ColorButton::colorChanged, this, [this](const core::Vector3f& color) {
+        editMaterial(
+            tr("Change diffuse colour"), [&](core::Material& m) { m.albedo = color; }, "albedo");
+    });
+    connect(specular_, &ColorButton::colorChanged, this, [this](const core::Vector3f& color) {
+        editMaterial(
+            tr("Change specular colour"), [&](core::Material& m) { m.specular = color; }, "specular");
+    });
+    connect(specularEstimated_, &QCheckBox::clicked, this, [this](bool on) {
+        const core::Vector3f shown = specular_->color();
+        editMaterial(on ? tr("Estimate specular colour") : tr("Choose specular colour"), [&](core::Material& m) {
+            m.specular.reset();
+            if (!on) m.specular = shown;
+        });
+    });
+    connect(fresnel_, &QComboBox::activated, this, [this](int index) {
+        const auto mode = static_cast<core::Fresnel>(fresnel_->itemData(index).toInt());
+        editMaterial(tr("Change Fresnel"), [&](core::Material& m) { m.fresnel = mode; });
+    });
+    connect(eta_, &VectorEdit::valueChanged, this, [this](const core::Vector3f& value) {
+        editMaterial(
+            tr("Change index of refraction"), [&](core::Material& m) { m.eta = value; }, "eta");
+    });
+    connect(k_, &VectorEdit::valueChanged, this, [this](const core::Vector3f& value) {
+        editMaterial(
+            tr("Change extinction"), [&](core::Material& m) { m.k = value; }, "k");
+    });
+    for (ColorButton* button : {albedo_, specular_}) {
+        connect(button, &ColorButton::editingFinished, &workspace(), &Workspace::endMerge);
+    }
+    for (VectorEdit* edit : {eta_, k_}) connect(edit, &VectorEdit::editingFinished, &workspace(), &Workspace::endMerge);
+}
+
+void MaterialPanel::makeBlendGroup() {
+    auto* group = new QGroupBox(tr("Blend"), body_);
+    blendNew_ = addMaterialSlider({.key = "blendNew",
+                                   .label = tr("New"),
+                                   .unit = {},
+                                   .toolTip = tr("Weight of the new surface"),
+                                   .minimum = 0,
+                                   .maximum = 2,
+                                   .initial = 1,
+                                   .decimals = 2},
+                                  [](core::Material& m, float v) { m.blendNew = v; });
+    blendOriginal_ = addMaterialSlider({.key = "blendOriginal",
+                                        .label = tr("Photograph"),
+                                        .unit = {},
+                                        .toolTip = tr("Weight of the photograph underneath"),
+                                        .minimum = 0,
+                                        .maximum = 2,
+                                        .initial = 0,
+                                        .decimals = 2},
+                                       [](core::Material& m, float v) { m.blendOriginal = v; });
+    auto* layout = new QVBoxLayout(group);
+    layout->addWidget(blendNew_);
+    layout->addWidget(blendOriginal_);
+    body_->layout()->addWidget(group);
+}
+
+void MaterialPanel::makeTranslucencyGroup() {
+    translucency_ = new QGroupBox(tr("Translucency"), body_);
+    translucency_->setObjectName(QStringLiteral("translucency"));
+    translucency_->setAccessibleName(tr("Translucency"));
+    translucency_->setCheckable(true);
+    translucency_->setToolTip(tr("Light that enters the object, scatters and leaves elsewhere: wax, marble, skin"));
+    preset_ = new QComboBox(translucency_);
+    preset_->setObjectName(QStringLiteral("translucencyPreset"));
+    preset_->setAccessibleName(tr("Substance"));
+    preset_->setToolTip(tr("Measured substances"));
+    preset_->addItem(tr("By hand"), QString());
+    for (const core::TranslucencyPreset& preset : core::translucencyPresets()) {
+        preset_->addItem(QCoreApplication::translate("presets", preset.label), QString::fromUtf8(preset.key));
+    }
+    sigmaA_ = new VectorEdit(QStringLiteral("translucencySigmaA"), tr("Absorption"),
+                             tr("Absorption coefficient [1/mm]"), 0, 100, 4, translucency_);
+    sigmaSPrime_ = new VectorEdit(QStringLiteral("translucencySigmaSPrime"), tr("Scattering"),
+                                  tr("Reduced scattering coefficient [1/mm]"), 0.0001, 1000, 3, translucency_);
+    const auto slider = [this](const ParamSpec& spec, std::function<void(core::Translucency&, float)> set) {
+        return addMaterialSlider(spec, [set = std::move(set)](core::Material& material, float value) {
+            if (material.translucency) set(*material.translucency, value);
+        });
+    };
+    translucencyEta_ = slider({.key = "translucencyEta",
+                               .label = tr("Index"),
+                               .unit = {},
+                               .toolTip = tr("Relative index of refraction; 1 = no boundary"),
+                               .minimum = 1,
+                               .maximum = 2.5,
+                               .initial = 1.3,
+                               .decimals = 2},
+                              [](core::Translucency& t, float v) { t.eta = v; });
+    translucencyScale_ =
+        slider({.key = "translucencyScale",
+                .label = tr("Size"),
+                .unit = {},
+                .toolTip = tr("Pretend the object is this many times as large: larger is less translucent"),
+                .minimum = 0.01,
+                .maximum = 100,
+                .initial = 1,
+                .logarithmic = true,
+                .decimals = 2},
+               [](core::Translucency& t, float v) { t.scale = v; });
+    translucencyWeight_ = slider({.key = "translucencyWeight",
+                                  .label = tr("Weight"),
+                                  .unit = {},
+                                  .toolTip = tr("Factor on the light that was scattered inside"),
+                                  .minimum = 0,
+                                  .maximum = 4,
+                                  .initial = 1,
+                                  .decimals = 2},
+                                 [](core::Translucency& t, float v) { t.weight = v; });
+    auto* layout = new QVBoxLayout(translucency_);
+    layout->addWidget(makeRow(tr("Substance"), {preset_}, translucency_));
+    layout->addWidget(sigmaA_);
+    layout->addWidget(sigmaSPrime_);
+    layout->addWidget(translucencyEta_);
+    layout->addWidget(translucencyScale_);
+    layout->addWidget(translucencyWeight_);
+    body_->layout()->addWidget(translucency_);
+
+    connect(translucency_, &QGroupBox::clicked, this, [this](bool on) {
+        editMaterial(on ? tr("Make translucent") : tr("Make opaque"), [&](core::Material& m) {
+            m.translucency.reset();
+            if (on) m.translucency = core::toTranslucency(core::translucencyPresets().front());
+        });
+    });
+    connect(preset_, &QComboBox::activated, this, [this](int index) {
+        const std::string key = preset_->itemData(index).toString().toStdString();
+        editTranslucency(tr("Choose substance"),
+                         [&](core::Translucency& t) {
+                             const core::TranslucencyPreset* preset = core::findTranslucencyPreset(key);
+                             t.preset = key;
+                             if (preset == nullptr) return;
+                             const core::Translucency values = core::toTranslucency(*preset);
+                             t.preset = values.preset;
+                             t.sigmaA = values.sigmaA;
+                             t.sigmaSPrime = values.sigmaSPrime;
+                         },
+                         {});
+    });
+    connect(sigmaA_, &VectorEdit::valueChanged, this, [this](const core::Vector3f& value) {
+        editTranslucency(
+            tr("Change absorption"),
+            [&](core::Translucency& t) {
+                t.sigmaA = value;
+                t.preset.clear();
+            },
+            "sigmaA");
+    });
+    connect(sigmaSPrime_, &VectorEdit::valueChanged, this, [this](const core::Vector3f& value) {
+        editTranslucency(
+            tr("Change scattering"),
+            [&](core::Translucency& t) {
+                t.sigmaSPrime = value;
+                t.preset.clear();
+            },
+            "sigmaSPrime");
+    });
+    for (VectorEdit* edit : {sigmaA_, sigmaSPrime_}) {
+        connect(edit, &VectorEdit::editingFinished, &workspace(), &Workspace::endMerge);
+    }
+}
+
+void MaterialPanel::rebuildParams(const std::string& brdf) {
+    if (brdf == paramsOf_) return;
+    paramsOf_ = brdf;
+    for (ParamSlider* slider : params_) slider->deleteLater();
+    params_.clear();
+    const core::BrdfInfo* info = core::findBrdf(brdf);
+    if (info == nullptr) return;
+    for (std::size_t i = 0; i < info->params.size(); ++i) {
+        const core::ParamInfo& param = info->params[i];
+        const QString label = QCoreApplication::translate("params", param.label);
+        ParamSlider* slider = addMaterialSlider({.key = QString::fromUtf8(param.key),
+                                                 .label = label,
+                                                 .unit = QString::fromUtf8(param.unit),
+                                                 .toolTip = {},
+                                                 .minimum = static_cast<double>(param.min),
+                                                 .maximum = static_cast<double>(param.max),
+                                                 .initial = static_cast<double>(param.initial),
+                                                 .logarithmic = param.logScale,
+                                                 .decimals = param.max >= 100 ? 1 : 4},
+                                                [i](core::Material& m, float v) { m.values.at(i) = v; });
+        paramLayout_->addWidget(slider);
+        params_.push_back(slider);
+    }
+}
+
+void MaterialPanel::chooseBrdf(const std::string& key) {
+    const core::BrdfInfo* info = core::findBrdf(key);
+    const core::Segment* segment = workspace().selectedSegment();
+    if (segment == nullptr) return;
+    if (info == nullptr) {
+        if (!segment->edit) {
+            refresh();
+            return;
+        }
+        workspace().editSelected(tr("Remove edit"), [](core::Segment& s) { s.edit.reset(); });
+        return;
+    }
+    workspace().editSelected(tr("Change material to %1").arg(QCoreApplication::translate("brdfs", info->label)),
+                             [info](core::Segment& s) {
+                                 core::Material next = core::defaultMaterial(*info);
+                                 if (s.edit) {
+                                     next.albedo = s.edit->albedo;
+                                     next.specular = s.edit->specular;
+                                     next.blendNew = s.edit->blendNew;
+                                     next.blendOriginal = s.edit->blendOriginal;
+                                     next.translucency = s.edit->translucency;
+                                 }
+                                 s.edit = next;
+                             });
+}
+
+void MaterialPanel::editMaterial(const QString& label, const std::function<void(core::Material&)>& change,
+                                 const QString& mergeKey) {
+    const core::Segment* segment = workspace().selectedSegment();
+    if (segment == nullptr || !segment->edit) return;
+    workspace().editSelected(
+        label, [&](core::Segment& s) { change(*s.edit); }, mergeKey);
+}
+
+void MaterialPanel::editTranslucency(const QString& label, const std::function<void(core::Translucency&)>& change,
+                                     const QString& mergeKey) {
+    editMaterial(
+        label,
+        [&](core::Material& m) {
+            if (m.translucency) change(*m.translucency);
+        },
+        mergeKey);
+}
+
+void MaterialPanel::refresh() {
+    const core::Segment* segment = workspace().selectedSegment();
+    const bool edited = segment != nullptr && segment->edit.has_value();
+    title_->setText(segment != nullptr       ? QString::fromStdString(segment->name)
+                    : workspace().hasPhoto() ? tr("Click a segment in the picture or in the list")
+                                             : tr("Nothing is open"));
+    brdf_->setEnabled(segment != nullptr);
+    remove_->setEnabled(edited);
+    body_->setVisible(edited);
+    const QSignalBlocker blockBrdf(brdf_);
+    brdf_->setCurrentIndex(edited ? brdf_->findData(QString::fromStdString(segment->edit->brdf)) : 0);
+    if (!edited) return;
+
+    const core::Material& material = *segment->edit;
+    const core::BrdfInfo* info = core::findBrdf(material.brdf);
+    rebuildParams(material.brdf);
+    for (std::size_t i = 0; i < params_.size(); ++i) params_[i]->setValue(static_cast<double>(material.values.at(i)));
+    const bool specular = info != nullptr && info->usesSpecular;
+    albedoRow_->setVisible(info != nullptr && info->usesAlbedo);
+    albedo_->setColor(material.albedo);
+    specularRow_->setVisible(specular);
+    specularEstimated_->setChecked(!material.specular.has_value());
+    specular_->setEnabled(material.specular.has_value());
+    const auto& analysis = workspace().analysis();
+    const core::Reflectance* found = analysis != nullptr ? analysis->findReflectance(segment->label) : nullptr;
+    specular_->setColor(material.specular
+                            ? *material.specular
+                            : segment->reflectance.value_or(found != nullptr ? found->rho : core::Vector3f(1, 1, 1)));
+    fresnelRow_->setVisible(specular);
+    const QSignalBlocker blockFresnel(fresnel_);
+    fresnel_->setCurrentIndex(fresnel_->findData(static_cast<int>(material.fresnel)));
+    eta_->setVisible(specular &&
+                     (material.fresnel == core::Fresnel::Dielectric || material.fresnel == core::Fresnel::Conductor));
+    k_->setVisible(specular && material.fresnel == core::Fresnel::Conductor);
+    eta_->setValue(material.eta);
+    k_->setValue(material.k);
+    blendNew_->setValue(static_cast<double>(material.blendNew));
+    blendOriginal_->setValue(static_cast<double>(material.blendOriginal));
+
+    translucency_->setChecked(material.translucency.has_value());
+    const core::Translucency shown = material.translucency.value_or(core::Translucency());
+    const QSignalBlocker blockPreset(preset_);
+    preset_->setCurrentIndex(std::max(0, preset_->findData(QString::fromStdString(shown.preset))));
+    sigmaA_->setValue(shown.sigmaA);
+    sigmaSPrime_->setValue(shown.sigmaSPrime);
+    translucencyEta_->setValue(static_cast<double>(shown.eta));
+    translucencyScale_->setValue(static_cast<double>(shown.scale));
+    translucencyWeight_->setValue(static_cast<double>(shown.weight));
+}
+
+}  // namespace ui

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workspace.h"
+
+#include <utility>
+
+namespace ui {
+
+Workspace::Workspace(QObject* parent) : QObject(parent) {
+    document_.setChangeListener([this](core::Stage stage) { changed(stage); });
+}
+
+void Workspace::setDocument(core::Document document) {
+    document_ = std::move(document);
+    document_.setChangeListener([this](core::Stage stage) { changed(stage); });
+    analysis_.reset();
+    selected_ = 0;
+    ++generation_;
+    analysisGeneration_ = generation_;
+    emit documentReplaced();
+    emit selectionChanged(selected_);
+    emit analysisChanged();
+    emit sceneChanged(core::Stage::Input);
+}
+
+void Workspace::changed(core::Stage stage) {
+    ++generation_;
+    if (stage <= core::Stage::Environment) analysisGeneration_ = generation_;
+    if (selected_ != 0 && scene().findSegment(selected_) == nullptr) select(0);
+    emit sceneChanged(stage);
+}
+
+void Workspace::select(std::uint16_t label) {
+    const std::uint16_t next = scene().findSegment(label) != nullptr ? label : std::uint16_t{0};
+    if (next == selected_) return;
+    document_.endMerge();
+    selected_ = next;
+    emit selectionChanged(selected_);
+}
+
+void Workspace::setAnalysis(std::shared_ptr<const core::Analysis> analysis) {
+    analysis_ = std::move(analysis);
+    emit analysisChanged();
+}
+
+void Workspace::editSelected(const QString& label, const std::function<void(core::Segment&)>& change,
+                             const QString& mergeKey) {
+    const std::uint16_t target = selected_;
+    if (scene().findSegment(target) == nullptr) return;
+    editScene(
+        label, [&](core::Scene& scene) { change(*scene.findSegment(target)); },
+        mergeKey.isEmpty() ? mergeKey : mergeKey + QString::number(target));
+}
+
+void Workspace::editScene(const QString& label, const std::function<void(core::Scene&)>& change,
+                          const QString& mergeKey) {
+    document_.edit(label.toStdString(), change, mergeKey.toStdString());
+}
+
+}  // namespace ui

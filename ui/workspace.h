@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <cstdint>
+#include <memory>
+
+#include "core/analysis.h"
+#include "core/document.h"
+
+namespace ui {
+
+/// What is open in a window: the document, the selection, the analysis that belongs to it. Panels edit through
+/// `document()` and listen here; nothing in it computes.
+class Workspace : public QObject {
+    Q_OBJECT
+  public:
+    explicit Workspace(QObject* parent = nullptr);
+
+    [[nodiscard]] core::Document& document() { return document_; }
+    [[nodiscard]] const core::Document& document() const { return document_; }
+    [[nodiscard]] const core::Scene& scene() const { return document_.scene(); }
+    [[nodiscard]] bool hasPhoto() const { return scene().photo != nullptr; }
+    /// Another project: selection and analysis start anew.
+    void setDocument(core::Document document);
+
+    /// Grows with every change, over documents too.
+    [[nodiscard]] std::uint64_t generation() const { return generation_; }
+    /// Generation of the last change that made the analysis stale.
+    [[nodiscard]] std::uint64_t analysisGeneration() const { return analysisGeneration_; }
+
+    /// Selected segment; 0 = none.
+    [[nodiscard]] std::uint16_t selectedLabel() const { return selected_; }
+    [[nodiscard]] const core::Segment* selectedSegment() const { return scene().findSegment(selected_); }
+    void select(std::uint16_t label);
+
+    /// Latest analysis of this document, possibly of an older revision of it; nullptr before the first.
+    [[nodiscard]] const std::shared_ptr<const core::Analysis>& analysis() const { return analysis_; }
+    void setAnalysis(std::shared_ptr<const core::Analysis> analysis);
+
+    /// One edit of the selected segment, as an undo step (see core::Document::edit). Nothing without a selection.
+    void editSelected(const QString& label, const std::function<void(core::Segment&)>& change,
+                      const QString& mergeKey = {});
+    /// One edit of the scene.
+    void editScene(const QString& label, const std::function<void(core::Scene&)>& change, const QString& mergeKey = {});
+    void endMerge() { document_.endMerge(); }
+
+  signals:
+    void sceneChanged(core::Stage firstStage);
+    void selectionChanged(quint16 label);
+    void analysisChanged();
+    void documentReplaced();
+
+  private:
+    void changed(core::Stage stage);
+
+    core::Document document_;
+    std::uint64_t generation_ = 1;
+    std::uint64_t analysisGeneration_ = 1;
+    std::uint16_t selected_ = 0;
+    std::shared_ptr<const core::Analysis> analysis_;
+};
+
+}  // namespace ui
