@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Shows a scene-linear (or display-encoded) picture: pan, zoom, exposure, sRGB, the selected segment's outline.
 // Filtering is done here, in linear light, because 32-bit floats need not be filterable: nearest from 200 %, bilinear
-// from 100 %, box filter below.
+// from 100 %, box filter below; which of them is a specialization constant.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -13,9 +13,8 @@ layout(set = 0, binding = CANVAS_LABELS) uniform utexture2D labels;
 layout(push_constant) uniform Block { CanvasBlock block; };
 layout(location = 0) out vec4 target;
 
-const vec3 kSurround = vec3(0.033);  // linear; a neutral dark grey
-
-const int kMaxTaps = 8;
+layout(constant_id = CANVAS_FILTER) const int kFilter = 0;
+layout(constant_id = CANVAS_FLAGS) const uint kFlags = 0;
 
 vec3 texel(ivec2 p, ivec2 size) {
     vec3 c = texelFetch(picture, clamp(p, ivec2(0), size - 1), 0).rgb;
@@ -23,8 +22,8 @@ vec3 texel(ivec2 p, ivec2 size) {
 }
 
 vec3 filtered(vec2 p, ivec2 size) {
-    if (block.step <= 0.5) return texel(ivec2(floor(p)), size);
-    if (block.step <= 1.0) {
+    if (kFilter == 0) return texel(ivec2(floor(p)), size);
+    if (kFilter == 1) {
         vec2 q = p - 0.5;
         ivec2 i = ivec2(floor(q));
         vec2 f = q - vec2(i);
@@ -32,15 +31,14 @@ vec3 filtered(vec2 p, ivec2 size) {
         vec3 bottom = mix(texel(i + ivec2(0, 1), size), texel(i + ivec2(1, 1), size), f.x);
         return mix(top, bottom, f.y);
     }
-    int taps = min(int(ceil(block.step)), kMaxTaps);
     vec3 sum = vec3(0.0);
-    for (int y = 0; y < taps; ++y) {
-        for (int x = 0; x < taps; ++x) {
-            vec2 offset = (vec2(x, y) + 0.5) / float(taps) - 0.5;
+    for (int y = 0; y < kFilter; ++y) {
+        for (int x = 0; x < kFilter; ++x) {
+            vec2 offset = (vec2(x, y) + 0.5) / float(kFilter) - 0.5;
             sum += texel(ivec2(floor(p + offset * block.step)), size);
         }
     }
-    return sum / float(taps * taps);
+    return sum / float(kFilter * kFilter);
 }
 
 vec3 encode(vec3 c) {
@@ -63,21 +61,16 @@ void main() {
     ivec2 size = textureSize(picture, 0);
     vec2 p = block.origin + gl_FragCoord.xy * block.step;
     bool inside = all(greaterThanEqual(p, vec2(0.0))) && all(lessThan(p, vec2(size)));
-    vec3 display = encode(kSurround);
-    if (inside) {
-        vec3 c = filtered(p, size);
-        display = (block.flags & CANVAS_PICTURE_ENCODED) != 0u ? clamp(c, vec3(0.0), vec3(1.0)) : encode(c * block.gain);
-    }
-    if ((block.flags & CANVAS_OUTLINE) != 0u) {
-        bool here = isSelected(p);
+    vec3 c = filtered(p, size);
+    vec3 display = (kFlags & CANVAS_PICTURE_ENCODED) != 0u ? clamp(c, vec3(0.0), vec3(1.0)) : encode(c * block.gain);
+    if (!inside) display = encode(vec3(kCanvasSurround));
+    if ((kFlags & CANVAS_OUTLINE) != 0u) {
         float reach = 1.5 * block.step;
-        bool border = false;
-        for (int i = 0; i < 8; ++i) {
-            float angle = float(i) * (kPi / 4.0);
-            border = border || isSelected(p + reach * vec2(cos(angle), sin(angle))) != here;
-        }
+        bool here = isSelected(p);
+        bool border = isSelected(p + vec2(reach, 0.0)) != here || isSelected(p - vec2(reach, 0.0)) != here ||
+                      isSelected(p + vec2(0.0, reach)) != here || isSelected(p - vec2(0.0, reach)) != here;
         if (border) display = here ? vec3(0.05) : vec3(1.0, 0.72, 0.30);
     }
-    if ((block.flags & CANVAS_TARGET_ENCODES) != 0u) display = decode(display);
+    if ((kFlags & CANVAS_TARGET_ENCODES) != 0u) display = decode(display);
     target = vec4(display, 1.0);
 }

@@ -151,7 +151,17 @@ void Canvas::setPaused(bool paused) {
 
 void Canvas::setSelection(std::uint16_t label) {
     if (window_ == nullptr) return;
-    window_->state().selected = label;
+    CanvasState& state = window_->state();
+    state.selected = label;
+    state.selectedBounds = {};
+    if (state.photo != nullptr && label != 0) {
+        const core::LabelImage& labels = state.photo->labels;
+        for (int y = 0; y < labels.height(); ++y) {
+            for (int x = 0; x < labels.width(); ++x) {
+                if (labels(x, y) == label) state.selectedBounds |= QRect(x, y, 1, 1);
+            }
+        }
+    }
     window_->redraw();
 }
 

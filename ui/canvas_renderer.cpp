@@ -5,12 +5,14 @@
 #include <kernels/fullscreen.h>
 
 #include <QVulkanDeviceFunctions>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "gpu/adapter.h"
 #include "gpu/adopt.h"
 #include "gpu/error.h"
+#include "ui/display.h"
 
 namespace ui {
 
@@ -18,6 +20,9 @@ namespace {
 
 /// Device time a frame may give to the renderer [s] (STYLE section 8).
 constexpr double kFrameBudget = 0.03;
+
+/// Largest box filter when zoomed out, taps along one side.
+constexpr int kMaxTaps = 8;
 
 }  // namespace
 
@@ -32,13 +37,20 @@ void CanvasRenderer::initResources() {
                                 .queue = window_.graphicsQueue(),
                                 .queueFamilyIndex = window_.graphicsQueueFamilyIndex(),
                                 .debugUtils = window_.vulkanInstance()->extensions().contains("VK_EXT_debug_utils")});
-        const gpu::ShaderModule vertex =
-            device_.createShaderModule({.label = "fullscreen.vert", .code = fullscreen_spv});
-        const gpu::ShaderModule fragment = device_.createShaderModule({.label = "canvas.frag", .code = canvas_spv});
-        const gpu::ExternalRenderTarget target{
-            .renderPass = window_.defaultRenderPass(), .sampleCount = window_.sampleCountFlagBits(), .hasDepth = true};
-        pipeline_ = device_.createRenderPipeline(
-            {.label = "canvas", .vertex = vertex, .fragment = fragment, .targets = {{}}, .externalTarget = &target});
+        vertex_ = device_.createShaderModule({.label = "fullscreen.vert", .code = fullscreen_spv});
+        fragment_ = device_.createShaderModule({.label = "canvas.frag", .code = canvas_spv});
+        // One layout for all variants: what a variant leaves out must not change what is bound.
+        groupLayout_ = device_.createBindGroupLayout({.label = "canvas",
+                                                      .entries = {{.binding = CANVAS_PICTURE,
+                                                                   .visibility = gpu::ShaderStage::Fragment,
+                                                                   .type = gpu::BindingType::SampledTexture},
+                                                                  {.binding = CANVAS_LABELS,
+                                                                   .visibility = gpu::ShaderStage::Fragment,
+                                                                   .type = gpu::BindingType::SampledTexture}}});
+        layout_ = device_.createPipelineLayout({.label = "canvas",
+                                                .bindGroupLayouts = {groupLayout_},
+                                                .pushConstantSize = sizeof(kernel::CanvasBlock),
+                                                .pushConstantStages = gpu::ShaderStage::Fragment});
         black_ = device_.createTexture({.label = "canvas black",
                                         .size = {1, 1, 1},
                                         .format = gpu::TextureFormat::RGBA16Float,
@@ -80,7 +92,11 @@ void CanvasRenderer::drop() {
     labelsOf_.reset();
     original_ = {};
     layer_ = {};
-    pipeline_ = {};
+    pipelines_.clear();
+    layout_ = {};
+    groupLayout_ = {};
+    vertex_ = {};
+    fragment_ = {};
     if (device_) {
         try {
             device_.destroy();
@@ -232,63 +248,81 @@ void CanvasRenderer::finishProbe(int x, int y) {
     emit window_.cursorMoved({.x = x, .y = y, .inside = true, .hasResult = true, .result = value});
 }
 
-kernel::CanvasBlock CanvasRenderer::block(bool encodedPicture) const {
-    const CanvasState& state = window_.state();
-    const double zoom = state.view.zoom();
-    const QPointF origin = state.view.origin();
+bool CanvasRenderer::targetEncodes() const {
     const VkFormat format = window_.colorFormat();
-    const bool targetEncodes = format == VK_FORMAT_B8G8R8A8_SRGB || format == VK_FORMAT_R8G8B8A8_SRGB ||
-                               format == VK_FORMAT_A8B8G8R8_SRGB_PACK32;
+    return format == VK_FORMAT_B8G8R8A8_SRGB || format == VK_FORMAT_R8G8B8A8_SRGB ||
+           format == VK_FORMAT_A8B8G8R8_SRGB_PACK32;
+}
+
+const gpu::RenderPipeline& CanvasRenderer::pipelineFor(int filter, unsigned flags) {
+    gpu::RenderPipeline& pipeline = pipelines_[{filter, flags}];
+    if (pipeline) return pipeline;
+    const gpu::ExternalRenderTarget target{
+        .renderPass = window_.defaultRenderPass(), .sampleCount = window_.sampleCountFlagBits(), .hasDepth = true};
+    pipeline = device_.createRenderPipeline(
+        {.label = "canvas",
+         .layout = layout_,
+         .vertex = vertex_,
+         .fragment = fragment_,
+         .targets = {{}},
+         .externalTarget = &target,
+         .fragmentConstants = {{.key = std::to_string(CANVAS_FILTER), .value = static_cast<double>(filter)},
+                               {.key = std::to_string(CANVAS_FLAGS), .value = static_cast<double>(flags)}}});
+    return pipeline;
+}
+
+void CanvasRenderer::drawPart(const gpu::RenderPassEncoder& pass, const QRectF& part, int filter, unsigned flags) {
+    const CanvasState& state = window_.state();
+    const QRect visible = part.toAlignedRect() & QRect(QPoint(0, 0), window_.swapChainImageSize());
+    if (visible.isEmpty()) return;
+    const QPointF origin = state.view.origin();
     kernel::CanvasBlock values;
     values.origin = kernel::vec2(static_cast<float>(origin.x()), static_cast<float>(origin.y()));
-    values.step = static_cast<float>(1 / zoom);
+    values.step = static_cast<float>(1 / state.view.zoom());
     values.gain = std::exp2(state.exposureStops);
-    values.flags = (encodedPicture ? CANVAS_PICTURE_ENCODED : 0u) | (targetEncodes ? CANVAS_TARGET_ENCODES : 0u) |
-                   (state.outlineShown && state.selected != 0 ? CANVAS_OUTLINE : 0u);
     values.selected = state.selected;
-    return values;
+    pass.setPipeline(pipelineFor(filter, flags));
+    pass.setBindGroup(0, bindGroup_);
+    pass.setPushConstants(values);
+    pass.setScissorRect(static_cast<std::uint32_t>(visible.x()), static_cast<std::uint32_t>(visible.y()),
+                        static_cast<std::uint32_t>(visible.width()), static_cast<std::uint32_t>(visible.height()));
+    pass.draw(3);
 }
 
 void CanvasRenderer::draw(const gpu::CommandEncoder& encoder) {
     const CanvasState& state = window_.state();
     gpu::Texture picture = black_;
-    bool encoded = true;
-    bool shown = state.photo != nullptr;
+    unsigned flags = targetEncodes() ? CANVAS_TARGET_ENCODES : 0u;
+    bool shown = false;
     const bool showOriginal =
         state.comparing || state.layer == ViewLayer::Original || (state.layer == ViewLayer::Result && !hasResult_);
-    if (shown && showOriginal) {
+    if (state.photo != nullptr && showOriginal) {
         picture = upload(original_, state.original);
-        encoded = false;
         shown = state.original != nullptr;
-    } else if (shown && state.layer == ViewLayer::Result) {
+    } else if (state.photo != nullptr && state.layer == ViewLayer::Result) {
         picture = renderer_->result();
-        encoded = false;
-    } else if (shown) {
+        shown = true;
+    } else if (state.photo != nullptr) {
         const auto& source = state.layerPicture != nullptr ? state.layerPicture : state.original;
         picture = upload(layer_, source);
         shown = source != nullptr;
-        encoded = shown && source->displayEncoded;
+        if (shown && source->displayEncoded) flags |= CANVAS_PICTURE_ENCODED;
     }
     if (!bindGroup_ || !(picture == boundPicture_) || !(labels_ == boundLabels_)) {
         bindGroup_ =
             device_.createBindGroup({.label = "canvas",
-                                     .layout = pipeline_.getBindGroupLayout(0),
+                                     .layout = groupLayout_,
                                      .entries = {{.binding = CANVAS_PICTURE, .textureView = picture.createView()},
                                                  {.binding = CANVAS_LABELS, .textureView = labels_.createView()}}});
         boundPicture_ = picture;
         boundLabels_ = labels_;
     }
-    kernel::CanvasBlock values = block(encoded);
-    if (!shown) {
-        // Nothing is open: the one black texel lies outside the view and the surround fills it.
-        values.origin = kernel::vec2(2.0f, 2.0f);
-        values.flags &= ~CANVAS_OUTLINE;
-    }
-    const QSize size = window_.swapChainImageSize();
+    const float surround = targetEncodes() ? kernel::kCanvasSurround : encodeSrgb(kernel::kCanvasSurround);
     VkClearValue color{};
-    color.color = {{0.2f, 0.2f, 0.2f, 1.0f}};
+    color.color = {{surround, surround, surround, 1.0f}};
     VkClearValue depth{};
     depth.depthStencil = {1.0f, 0};
+    const QSize size = window_.swapChainImageSize();
     const gpu::RenderPassEncoder pass =
         encoder.beginRenderPass(gpu::ExternalRenderPassDescriptor{.label = "canvas",
                                                                   .renderPass = window_.defaultRenderPass(),
@@ -296,10 +330,20 @@ void CanvasRenderer::draw(const gpu::CommandEncoder& encoder) {
                                                                   .width = static_cast<std::uint32_t>(size.width()),
                                                                   .height = static_cast<std::uint32_t>(size.height()),
                                                                   .clearValues = {color, depth}});
-    pass.setPipeline(pipeline_);
-    pass.setBindGroup(0, bindGroup_);
-    pass.setPushConstants(values);
-    pass.draw(3);
+    if (shown) {
+        const double zoom = state.view.zoom();
+        const int filter = zoom >= 2 ? 0 : zoom >= 1 ? 1 : std::min(static_cast<int>(std::ceil(1 / zoom)), kMaxTaps);
+        const auto toView = [&](const QRect& r) {
+            return QRectF(state.view.toView(r.topLeft()),
+                          state.view.toView(r.topLeft() + QPoint(r.width(), r.height())));
+        };
+        drawPart(pass, toView(QRect(0, 0, state.photo->color.width(), state.photo->color.height())), filter, flags);
+        if (state.outlineShown && !state.selectedBounds.isEmpty()) {
+            constexpr double kReach = 3;
+            const QRectF around = toView(state.selectedBounds).adjusted(-kReach, -kReach, kReach, kReach);
+            drawPart(pass, around, filter, flags | CANVAS_OUTLINE);
+        }
+    }
     pass.end();
     drawn_ = true;
 }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <QVulkanWindowRenderer>
+#include <map>
 #include <memory>
+#include <utility>
 
 #include "core/render/renderer.h"
 #include "gpu/device.h"
@@ -40,7 +42,10 @@ class CanvasRenderer : public QVulkanWindowRenderer {
     void recordProbe(const gpu::CommandEncoder& encoder);
     void finishProbe(int x, int y);
     void draw(const gpu::CommandEncoder& encoder);
-    [[nodiscard]] kernel::CanvasBlock block(bool encodedPicture) const;
+    /// Draws the picture into a rectangle of the view, made for exactly this filter and these CANVAS_* flags.
+    void drawPart(const gpu::RenderPassEncoder& pass, const QRectF& part, int filter, unsigned flags);
+    [[nodiscard]] const gpu::RenderPipeline& pipelineFor(int filter, unsigned flags);
+    [[nodiscard]] bool targetEncodes() const;
     /// The texture of a CPU picture, uploaded when it is another one than last time.
     struct Upload {
         std::shared_ptr<const CanvasPicture> picture;
@@ -55,7 +60,10 @@ class CanvasRenderer : public QVulkanWindowRenderer {
     CanvasWindow& window_;
     gpu::Device device_;
     QString deviceName_;
-    gpu::RenderPipeline pipeline_;
+    gpu::ShaderModule vertex_;
+    gpu::ShaderModule fragment_;
+    gpu::PipelineLayout layout_;
+    std::map<std::pair<int, unsigned>, gpu::RenderPipeline> pipelines_;
     std::unique_ptr<render::Renderer> renderer_;
     std::shared_ptr<const core::Photo> rendererPhoto_;
     render::Renderer::Progress progress_;
@@ -70,6 +78,7 @@ class CanvasRenderer : public QVulkanWindowRenderer {
     gpu::Texture black_;
     gpu::Texture boundPicture_;
     gpu::Texture boundLabels_;
+    gpu::BindGroupLayout groupLayout_;
     gpu::BindGroup bindGroup_;
     gpu::Buffer probe_;
     bool probeWanted_ = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QRect>
 #include <QVulkanWindow>
 #include <memory>
 
@@ -21,6 +22,7 @@ struct CanvasState {
     std::shared_ptr<const core::Analysis> analysis;
     bool paused = false;
     std::uint16_t selected = 0;
+    QRect selectedBounds;  ///< smallest rectangle around the selected segment [picture pixels]
     bool outlineShown = true;
     float exposureStops = 0;
     bool comparing = false;

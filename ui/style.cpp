@@ -11,13 +11,13 @@ void applyStyle(QApplication& application) {
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     const auto grey = [](int v) { return QColor(v, v, v); };
     QPalette palette;
-    palette.setColor(QPalette::Window, grey(52));
+    palette.setColor(QPalette::Window, grey(60));
     palette.setColor(QPalette::WindowText, grey(214));
-    palette.setColor(QPalette::Base, grey(40));
-    palette.setColor(QPalette::AlternateBase, grey(46));
+    palette.setColor(QPalette::Base, grey(34));
+    palette.setColor(QPalette::AlternateBase, grey(40));
     palette.setColor(QPalette::Text, grey(220));
     palette.setColor(QPalette::PlaceholderText, grey(140));
-    palette.setColor(QPalette::Button, grey(62));
+    palette.setColor(QPalette::Button, grey(72));
     palette.setColor(QPalette::ButtonText, grey(220));
     palette.setColor(QPalette::BrightText, Qt::white);
     palette.setColor(QPalette::ToolTipBase, grey(30));

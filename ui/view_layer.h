@@ -25,7 +25,7 @@ struct LayerPicture {
 };
 
 /// Picture of a layer other than Result, the photograph's size; the photograph itself where `analysis` is still needed.
-/// Depth and back depth share one colour scale (near = yellow); coverage colours each glossy pixel by the number of
+/// Depth and back depth share one colour scale (near = yellow); coverage colours each surface pixel by the number of
 /// observations in the environment at its mirrored view direction.
 [[nodiscard]] LayerPicture makeLayerPicture(ViewLayer layer, const core::Photo& photo, const core::Analysis* analysis);
 

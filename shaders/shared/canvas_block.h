@@ -8,20 +8,26 @@
 #define CANVAS_PICTURE 0
 #define CANVAS_LABELS 1
 
+// Specialization constants: a software device runs both sides of every branch, so what is not needed must not be there.
+#define CANVAS_FILTER 0  // 0 = nearest, 1 = bilinear, n > 1 = box of n x n taps
+#define CANVAS_FLAGS 1
+
 #define CANVAS_PICTURE_ENCODED 1u  // the picture is display-encoded: no exposure, no transfer function
 #define CANVAS_TARGET_ENCODES 2u   // the swapchain's format is sRGB: the hardware applies the transfer function
 #define CANVAS_OUTLINE 4u          // draw the outline of `selected`
 
 KERNEL_BEGIN
 
+const float kCanvasSurround = 0.033f;  // linear; a neutral dark grey around the picture
+
 struct CanvasBlock {
     vec2 origin;    // picture position at the view's top-left corner [px]
     float step;     // picture pixels per view pixel
     float gain;     // radiance factor, 2^stops
-    uint flags;     // CANVAS_*
     uint selected;  // label that is outlined
     uint pad0;
     uint pad1;
+    uint pad2;
 };
 KERNEL_BLOCK(CanvasBlock, 32)
 
