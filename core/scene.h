@@ -66,7 +66,8 @@ struct DepthFilterParams {
     float spatialSigma = 2.0f;  ///< [px]
     float colorSigma = 0.1f;    ///< in display-encoded colour, [0, 1]
     float depthSigma = 0.01f;   ///< relative depth difference |Δz|/z
-    int holeRadius = 3;  ///< holes up to this radius [px] inside one segment are filled; larger ones stay distant
+    int holeRadius =
+        3;  ///< holes up to this radius [px] inside one segment continue its slope; larger ones are spanned
     bool operator==(const DepthFilterParams&) const = default;
 };
 

@@ -203,6 +203,78 @@ void fillSmallHoles(ImageF& depth, const LabelImage& labels, int radius) {
     }
 }
 
+void completeSegments(ImageF& depth, const LabelImage& labels, const StepContext& context) {
+    struct Box {
+        int x0 = 1 << 30, y0 = 1 << 30, x1 = -1, y1 = -1;
+        bool known = false, missing = false;
+    };
+    std::vector<Box> boxes(65536);
+    for (int y = 0; y < depth.height(); ++y) {
+        for (int x = 0; x < depth.width(); ++x) {
+            Box& box = boxes[labels(x, y)];
+            box.x0 = std::min(box.x0, x), box.x1 = std::max(box.x1, x);
+            box.y0 = std::min(box.y0, y), box.y1 = std::max(box.y1, y);
+            (depth(x, y) > 0 ? box.known : box.missing) = true;
+        }
+    }
+
+    /// Inverse depth times weight, and weight.
+    using Level = Image<Eigen::Vector2d>;
+    for (std::size_t label = 1; label < boxes.size(); ++label) {
+        const Box& box = boxes[label];
+        if (!box.known || !box.missing) continue;
+        context.checkpoint(kName, 1.0f);
+        Level finest(box.x1 - box.x0 + 1, box.y1 - box.y0 + 1);
+        const auto inside = [&](int x, int y) {
+            return finest.contains(x, y) && labels(box.x0 + x, box.y0 + y) == label;
+        };
+        for (int y = 0; y < finest.height(); ++y)
+            for (int x = 0; x < finest.width(); ++x)
+                if (inside(x, y) && depth(box.x0 + x, box.y0 + y) > 0)
+                    finest(x, y) = {1.0 / static_cast<double>(depth(box.x0 + x, box.y0 + y)), 1.0};
+
+        // Pull: averages of what is known, over ever larger cells; push: what is unknown takes the next larger cell's.
+        std::vector<Level> levels{finest};
+        while (levels.back().width() > 1 || levels.back().height() > 1) {
+            const Level& fine = levels.back();
+            Level coarse((fine.width() + 1) / 2, (fine.height() + 1) / 2);
+            for (int y = 0; y < fine.height(); ++y)
+                for (int x = 0; x < fine.width(); ++x) coarse(x / 2, y / 2) += fine(x, y);
+            levels.push_back(std::move(coarse));
+        }
+        for (std::size_t l = levels.size() - 1; l-- > 0;) {
+            for (int y = 0; y < levels[l].height(); ++y) {
+                for (int x = 0; x < levels[l].width(); ++x) {
+                    Eigen::Vector2d& cell = levels[l](x, y);
+                    const Eigen::Vector2d& parent = levels[l + 1](x / 2, y / 2);
+                    if (cell.y() <= 0) cell = {parent.x() / parent.y(), 1.0};
+                }
+            }
+        }
+
+        // Relax the filled pixels to a membrane over the known ones.
+        constexpr int kRounds = 200;
+        std::vector<std::array<int, 2>> missing;
+        for (int y = 0; y < finest.height(); ++y)
+            for (int x = 0; x < finest.width(); ++x)
+                if (inside(x, y) && finest(x, y).y() <= 0) missing.push_back({x, y});
+        Level& values = levels.front();
+        for (int round = 0; round < kRounds; ++round) {
+            for (const auto& [x, y] : missing) {
+                double sum = 0;
+                double count = 0;
+                for (const auto& [dx, dy] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+                    if (!inside(x + dx, y + dy)) continue;
+                    sum += values(x + dx, y + dy).x();
+                    count += 1;
+                }
+                if (count > 0) values(x, y).x() = sum / count;
+            }
+        }
+        for (const auto& [x, y] : missing) depth(box.x0 + x, box.y0 + y) = static_cast<float>(1.0 / values(x, y).x());
+    }
+}
+
 Step filterDepthStep() {
     Step step;
     step.name = kName;
@@ -228,6 +300,7 @@ Step filterDepthStep() {
             filterDepth(depth, photo.color, photo.labels, board.scene->depthFilter, result->relativeNoise, context);
         if (board.scene->depthFilter.enabled)
             fillSmallHoles(result->depth, photo.labels, board.scene->depthFilter.holeRadius);
+        completeSegments(result->depth, photo.labels, context);
         board.depth = std::move(result);
     };
     return step;
