@@ -45,8 +45,10 @@ TEST(CompleteSegments, LeavesValidPixelsAndEmptySegmentsAlone) {
     EXPECT_NEAR(depth(4, 4), 2.0f, 1e-5f);
     for (int y = 0; y < 8; ++y) {
         EXPECT_EQ(depth(0, y), 0.0f);  // nothing is known of segment 4
-        for (int x = 1; x < 8; ++x)
-            if (x != 4 || y != 4) EXPECT_EQ(depth(x, y), 2.0f);
+        for (int x = 1; x < 8; ++x) {
+            if (x == 4 && y == 4) continue;
+            EXPECT_EQ(depth(x, y), 2.0f);
+        }
     }
 }
 
