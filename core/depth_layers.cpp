@@ -16,8 +16,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 float slopeLimit(std::optional<float> left, std::optional<float> right, float floor) {
     if (!left && !right) return floor;
     if (!left || !right) return 1.5f * std::abs(left ? *left : *right) + floor;
-    const auto [low, high] = std::minmax(std::abs(*left), std::abs(*right));
-    return std::min(high, 3 * low) + floor;
+    const float a = std::abs(*left);
+    const float b = std::abs(*right);
+    return std::min(std::max(a, b), 3 * std::min(a, b)) + floor;
 }
 
 /// value + slope·s.

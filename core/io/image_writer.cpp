@@ -111,12 +111,12 @@ void writeImage(const std::string& path, const char* format, const OIIO::ImageSp
     AtomicFile file(path);
     OIIO::ImageSpec stamped = spec;
     stamped["DateTime"] = "";  // else the EXR writer stores the time of day: the same picture, other bytes
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);  // outlives the output, whose destructor still asks it where it is
     const auto output = OIIO::ImageOutput::create(format);
     if (!output) fail(std::string("this build of OpenImageIO does not write ") + format + " files");
     // Into memory first: on a full disk the PNG writer says nothing and the JPEG writer ends the program. TIFF reports
     // its errors, and what OpenImageIO 2.4 writes to memory is damaged.
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
     const bool inMemory =
         std::string_view(format) != "tiff" && output->supports("ioproxy") != 0 && output->set_ioproxy(&memory);
     if (!output->open(inMemory ? path : file.temporaryPath(), stamped)) fail(output->geterror());
