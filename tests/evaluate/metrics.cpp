@@ -5,16 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/srgb.h"
+
 namespace evaluate {
 
 namespace {
 
 float luminance(const core::Vector3f& c) { return 0.2126f * c.x() + 0.7152f * c.y() + 0.0722f * c.z(); }
-
-float encodeSrgb(float v) {
-    v = std::clamp(v, 0.0f, 1.0f);
-    return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1.0f / 2.4f) - 0.055f;
-}
 
 double ssimOverMask(const core::ImageRgb& a, const core::ImageRgb& b, const core::Image<std::uint8_t>& mask) {
     constexpr int kRadius = 5;
@@ -84,7 +81,7 @@ float displayExposure(const core::ImageRgb& picture) {
 core::ImageRgb displayEncoded(const core::ImageRgb& linear, float exposure) {
     core::ImageRgb encoded(linear.width(), linear.height());
     for (std::size_t i = 0; i < linear.size(); ++i)
-        for (int c = 0; c < 3; ++c) encoded[i][c] = encodeSrgb(exposure * linear[i][c]);
+        for (int c = 0; c < 3; ++c) encoded[i][c] = core::srgbEncode(std::clamp(exposure * linear[i][c], 0.0f, 1.0f));
     return encoded;
 }
 

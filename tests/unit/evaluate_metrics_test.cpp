@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "core/srgb.h"
+
 namespace {
 
 using core::ImageRgb;
@@ -12,14 +14,12 @@ using core::Vector3f;
 
 core::Image<std::uint8_t> fullMask(int width, int height) { return {width, height, 1}; }
 
-float decodeSrgb(float v) { return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f); }
-
 TEST(EvaluateMetrics, PsnrOfAKnownDisplayDifference) {
-    const ImageRgb truth(16, 16, Vector3f::Constant(decodeSrgb(0.5f)));
-    const ImageRgb picture(16, 16, Vector3f::Constant(decodeSrgb(0.6f)));
+    const ImageRgb truth(16, 16, Vector3f::Constant(core::srgbDecode(0.5f)));
+    const ImageRgb picture(16, 16, Vector3f::Constant(core::srgbDecode(0.6f)));
     const auto metrics = evaluate::compare(picture, truth, fullMask(16, 16), 1);
     EXPECT_NEAR(metrics.psnr, 20.0, 1e-3);  // −20·log10(0.1)
-    EXPECT_NEAR(metrics.meanRatio, decodeSrgb(0.6f) / decodeSrgb(0.5f), 1e-5);
+    EXPECT_NEAR(metrics.meanRatio, core::srgbDecode(0.6f) / core::srgbDecode(0.5f), 1e-5);
 }
 
 TEST(EvaluateMetrics, EqualPicturesHaveNoError) {
