@@ -5,17 +5,13 @@
 #include <array>
 #include <cmath>
 
+#include "core/srgb.h"
+
 namespace ui {
 
-float encodeSrgb(float linear) {
-    const float v = std::clamp(linear, 0.0f, 1.0f);
-    return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1.0f / 2.4f) - 0.055f;
-}
+float encodeSrgb(float linear) { return core::srgbEncode(std::clamp(linear, 0.0f, 1.0f)); }
 
-float decodeSrgb(float encoded) {
-    const float v = std::clamp(encoded, 0.0f, 1.0f);
-    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
-}
+float decodeSrgb(float encoded) { return core::srgbDecode(std::clamp(encoded, 0.0f, 1.0f)); }
 
 QColor displayColor(const core::Vector3f& linear) {
     return QColor::fromRgbF(encodeSrgb(linear.x()), encodeSrgb(linear.y()), encodeSrgb(linear.z()));
