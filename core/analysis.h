@@ -29,6 +29,8 @@ struct Reflectance {
     Vector3f rho{1, 1, 1};       ///< reflected over incident, per channel; the value in use (the user's, when given)
     bool reliable = false;       ///< false: too few directions known by both maps, rho is clamped or a default
     float commonSolidAngle = 0;  ///< solid angle known by both maps [sr]
+    float alpha = 0.05f;         ///< GGX width of the lobe, (0, 1]; the value in use (the user's, when given)
+    bool alphaReliable = false;  ///< false: nothing sharp enough was reflected to tell, alpha is a default
     DirectionalMap reflected;    ///< L_S
     DirectionalMap incident;     ///< L_G
 };

@@ -29,7 +29,8 @@ const std::vector<Step>& analysisSteps() {
 }
 
 bool sameLight(const EnvironmentParams& a, const EnvironmentParams& b) {
-    return a.image == b.image && a.path == b.path && a.rotation == b.rotation && a.scale == b.scale;
+    return a.image == b.image && a.path == b.path && a.rotation == b.rotation && a.scale == b.scale && a.use == b.use &&
+           a.fill == b.fill;
 }
 
 /// Weights are applied when the picture is put together; everything else in a material is part of its light transport.
@@ -59,7 +60,7 @@ Stage firstChangedSegmentStage(const Scene& before, const Scene& after) {
         const Segment& a = before.segments[i];
         const Segment& b = after.segments[i];
         touch(a.label != b.label || a.backSide != b.backSide, Stage::BackSide);
-        touch(a.glossy != b.glossy || a.reflectance != b.reflectance, Stage::Reflectance);
+        touch(a.glossy != b.glossy || a.reflectance != b.reflectance || a.lobeWidth != b.lobeWidth, Stage::Reflectance);
         // Light that reaches a translucent segment may come by way of any other edited one.
         touch(withoutWeights(a.edit) != withoutWeights(b.edit), translucent ? Stage::Irradiance : Stage::Reshade);
         touch(a.edit != b.edit, Stage::Composite);
@@ -128,7 +129,7 @@ std::shared_ptr<const Analysis> AnalysisPipeline::run(const Scene& scene, const 
     cache.setInput(Item::Photo, scene.photo, [](Hash& hash, const Photo& photo) {
         const Camera& c = photo.camera;
         hash.add(c.width).add(c.height).add(c.fx).add(c.fy).add(c.cx).add(c.cy);
-        hash.add(photo.color).add(photo.depth).add(photo.labels);
+        hash.add(photo.color).add(photo.depth).add(photo.labels).add(photo.depthStep).add(photo.clipLevel);
     });
     cache.setInput(Item::UserBackDepth, scene.backDepth, addImage);
     cache.setInput(Item::UserEnvironment, scene.environment.image, addImage);

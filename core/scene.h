@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,18 +35,26 @@ struct Photo {
     ImageRgb color;     ///< scene-linear, finite and ≥ 0
     ImageF depth;       ///< planar z [m]; 0 = no valid depth (distant)
     LabelImage labels;  ///< 0 = no segment
+    /// Photograph pixels per pixel of the stored depth map, ≥ 1; more than 1 when a smaller map was enlarged: its noise
+    /// is smooth over that many pixels.
+    float depthStep = 1;
+    /// Radiance at and above which the camera clipped; infinite for floating-point photographs.
+    float clipLevel = std::numeric_limits<float>::infinity();
 };
 
 /// Ways to invent the unseen back side of a segment (paper section 3.2).
 enum class BackSideMethod {
+    Automatic,       ///< whichever of the others has the lowest penalty
     Offset,          ///< front depth plus a constant
     ParallelMirror,  ///< front mirrored at a plane parallel to the image
     PcaMirror,       ///< front mirrored at a plane found by principal component analysis
 };
 
 struct BackSideParams {
-    BackSideMethod method = BackSideMethod::PcaMirror;
+    BackSideMethod method = BackSideMethod::Automatic;
     float offset = 0.05f;         ///< [m], Offset only
+    float planeShift = 0;         ///< [m], mirrors only: moves the plane that was found away from the camera
+    float thicknessScale = 1;     ///< stretches what was invented: back = front + thicknessScale·(invented − front)
     float minThickness = 0.002f;  ///< [m], z_back ≥ z_front + minThickness
     bool operator==(const BackSideParams&) const = default;
 };
@@ -56,6 +65,7 @@ struct Segment {
     bool glossy = false;      ///< the user says: what it shows are reflections
     BackSideParams backSide;
     std::optional<Vector3f> reflectance;  ///< set by the user: replaces the estimated ρ
+    std::optional<float> lobeWidth;       ///< set by the user: replaces the estimated GGX width, (0, 1]
     std::optional<Material> edit;         ///< nullopt = untouched
     bool operator==(const Segment&) const = default;
 };
@@ -63,6 +73,7 @@ struct Segment {
 /// Joint bilateral filter of the depth map and hole handling (DESIGN 3.1).
 struct DepthFilterParams {
     bool enabled = true;
+    bool automatic = true;      ///< the three widths follow the measured noise; the values below are not used
     float spatialSigma = 2.0f;  ///< [px]
     float colorSigma = 0.1f;    ///< in display-encoded colour, [0, 1]
     float depthSigma = 0.01f;   ///< relative depth difference |Δz|/z
@@ -71,9 +82,19 @@ struct DepthFilterParams {
     bool operator==(const DepthFilterParams&) const = default;
 };
 
+/// What a map given by the user does: takes the place of the recovered one, or fills the directions in which nothing
+/// was observed.
+enum class EnvironmentUse { Replace, Complete };
+
+/// How unobserved directions are filled (DESIGN 3.4): the paper's Shepard interpolation with angular distance, or a
+/// membrane on the sphere (Laplace's equation), which is smooth and keeps a small bright light from spreading.
+enum class EnvironmentFill { Shepard, Membrane };
+
 /// The light: recovered from the photograph, or a map given by the user.
 struct EnvironmentParams {
-    std::string path;                       ///< "" = recovered
+    std::string path;  ///< "" = recovered
+    EnvironmentUse use = EnvironmentUse::Replace;
+    EnvironmentFill fill = EnvironmentFill::Membrane;
     std::shared_ptr<const ImageRgb> image;  ///< loaded from `path`; latitude-longitude, camera frame
     float rotation = 0;                     ///< about the camera's y axis [rad]
     float scale = 1;                        ///< radiance factor

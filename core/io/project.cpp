@@ -22,7 +22,9 @@ namespace {
 
 constexpr int kVersion = 1;
 constexpr std::size_t kMaxProjectBytes = std::size_t{64} << 20U;
-const std::vector<std::string> kBackSideMethods{"offset", "parallel_mirror", "pca_mirror"};
+const std::vector<std::string> kBackSideMethods{"automatic", "offset", "parallel_mirror", "pca_mirror"};
+const std::vector<std::string> kEnvironmentUses{"replace", "complete"};
+const std::vector<std::string> kEnvironmentFills{"shepard", "membrane"};
 
 std::string knownLabels(const Scene& scene) {
     std::string text;
@@ -92,6 +94,8 @@ Segment readSegment(const json& value, const std::string& place) {
         if (const auto method = back.readChoice("method", kBackSideMethods))
             segment.backSide.method = static_cast<BackSideMethod>(*method);
         back.read("offset", segment.backSide.offset, 0.0f, 1000.0f);
+        back.read("plane_shift", segment.backSide.planeShift, -1000.0f, 1000.0f);
+        back.read("thickness_scale", segment.backSide.thicknessScale, 0.0f, 1000.0f);
         back.read("min_thickness", segment.backSide.minThickness, 0.0f, 1000.0f);
         back.finish();
     }
@@ -99,6 +103,11 @@ Segment readSegment(const json& value, const std::string& place) {
         Vector3f rho(1, 1, 1);
         reader.read("reflectance", rho, 1e-4f, 100.0f);
         segment.reflectance = rho;
+    }
+    if (reader.has("lobe_width")) {
+        float alpha = 0;
+        reader.read("lobe_width", alpha, 1e-3f, 1.0f);
+        segment.lobeWidth = alpha;
     }
     if (const json* edit = reader.find("edit"))
         segment.edit = readMaterial(*edit, reader.place("edit"), ErrorKind::Input);
@@ -133,6 +142,7 @@ void readSegments(const json& list, Scene& scene) {
 void readDepthFilter(const json& value, DepthFilterParams& params) {
     JsonReader reader(value, "depth_filter", ErrorKind::Input);
     reader.read("enabled", params.enabled);
+    reader.read("automatic", params.automatic);
     reader.read("spatial_sigma", params.spatialSigma, 0.1f, 100.0f);
     reader.read("color_sigma", params.colorSigma, 1e-4f, 100.0f);
     reader.read("depth_sigma", params.depthSigma, 1e-6f, 100.0f);
@@ -146,6 +156,9 @@ void readEnvironment(const json& value, const PathReader& paths, EnvironmentPara
     reader.read("rotation", params.rotation, -1000.0f, 1000.0f);
     reader.read("scale", params.scale, 0.0f, 1e6f);
     reader.read("height", params.height, 4, 4096);
+    if (const auto use = reader.readChoice("use", kEnvironmentUses)) params.use = static_cast<EnvironmentUse>(*use);
+    if (const auto fill = reader.readChoice("fill", kEnvironmentFills))
+        params.fill = static_cast<EnvironmentFill>(*fill);
     reader.finish();
     if (!params.path.empty()) params.image = loadEnvironment(params.path);
 }
@@ -210,8 +223,11 @@ ordered_json writeSegment(const Segment& segment) {
     result["glossy"] = segment.glossy;
     result["back_side"] = {{"method", kBackSideMethods[static_cast<std::size_t>(segment.backSide.method)]},
                            {"offset", toJson(segment.backSide.offset)},
+                           {"plane_shift", toJson(segment.backSide.planeShift)},
+                           {"thickness_scale", toJson(segment.backSide.thicknessScale)},
                            {"min_thickness", toJson(segment.backSide.minThickness)}};
     if (segment.reflectance) result["reflectance"] = toJson(*segment.reflectance);
+    if (segment.lobeWidth) result["lobe_width"] = toJson(*segment.lobeWidth);
     if (segment.edit) result["edit"] = writeMaterial(*segment.edit);
     return result;
 }
@@ -235,6 +251,7 @@ ordered_json writeScene(const Scene& scene, const fs::path& folder) {
     result["segments"] = ordered_json::array();
     for (const Segment& segment : scene.segments) result["segments"].push_back(writeSegment(segment));
     result["depth_filter"] = {{"enabled", scene.depthFilter.enabled},
+                              {"automatic", scene.depthFilter.automatic},
                               {"spatial_sigma", toJson(scene.depthFilter.spatialSigma)},
                               {"color_sigma", toJson(scene.depthFilter.colorSigma)},
                               {"depth_sigma", toJson(scene.depthFilter.depthSigma)},
@@ -244,6 +261,8 @@ ordered_json writeScene(const Scene& scene, const fs::path& folder) {
     environment["rotation"] = toJson(scene.environment.rotation);
     environment["scale"] = toJson(scene.environment.scale);
     environment["height"] = scene.environment.height;
+    environment["use"] = kEnvironmentUses[static_cast<std::size_t>(scene.environment.use)];
+    environment["fill"] = kEnvironmentFills[static_cast<std::size_t>(scene.environment.fill)];
     if (!scene.backDepthPath.empty()) result["back_depth"] = relativeTo(folder, scene.backDepthPath);
     result["render"] = {{"samples", scene.render.samples},
                         {"seed", scene.render.seed},

@@ -354,10 +354,12 @@ BackLayer inventBackSide(const Camera& camera, const LabelImage& labels, const S
         const auto found = std::ranges::find(segments, value, &Segment::label);
         const BackSideParams params = found == segments.end() ? BackSideParams{} : found->backSide;
         const float minThickness = std::max(params.minThickness, 1e-5f);
-        BackSideInfo info{value, params.method, {}, 0};
+        const BackSideMethod method =
+            params.method == BackSideMethod::Automatic ? BackSideMethod::PcaMirror : params.method;
+        BackSideInfo info{value, method, {}, 0};
 
         std::optional<MirrorImage> image;
-        if (params.method != BackSideMethod::Offset) {
+        if (method != BackSideMethod::Offset) {
             std::vector<Vector3f> points;
             points.reserve(pixels.size());
             for (const auto& [x, y] : pixels) points.push_back(front.position(x, y));
@@ -366,7 +368,7 @@ BackLayer inventBackSide(const Camera& camera, const LabelImage& labels, const S
                 info.note = "It runs out of the picture like a table or a wall, so it is a slab of constant thickness.";
             } else if (points.size() < kMinMirrorPoints) {
                 info.note = "It has too few pixels with depth for a mirror plane.";
-            } else if (params.method == BackSideMethod::ParallelMirror) {
+            } else if (method == BackSideMethod::ParallelMirror) {
                 plane = MirrorPlane{{0, 0, 1}, parallelPlaneDepth(labels, front, value, pixels), 0};
             } else if (const auto axis = mirrorAxis(points)) {
                 plane = fitMirrorPlane(camera, labels, front.depth, supports, value, points, *axis);
@@ -445,7 +447,7 @@ Step backSideStep() {
         for (const Segment& segment : scene.segments) {
             const BackSideParams& p = segment.backSide;
             hash.add(segment.label).add(p.method).add(p.minThickness);
-            hash.add(p.offset);
+            hash.add(p.offset).add(p.planeShift).add(p.thicknessScale);
         }
     };
     step.run = [](Board& board, const StepContext& context) {

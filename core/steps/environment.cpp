@@ -82,11 +82,8 @@ Step environmentStep() {
     step.writes = Item::Environment;
     step.params = [](const Scene& scene, Hash& hash) {
         const EnvironmentParams& p = scene.environment;
-        if (p.image) {
-            hash.add(p.rotation).add(p.scale);
-        } else {
-            hash.add(p.height);
-        }
+        if (p.image) hash.add(p.rotation).add(p.scale);
+        hash.add(p.use).add(p.fill).add(p.height);
     };
     step.run = [](Board& board, const StepContext& context) {
         const Scene& scene = *board.scene;

@@ -282,7 +282,7 @@ Step filterDepthStep() {
     step.writes = Item::Depth;
     step.params = [](const Scene& scene, Hash& hash) {
         const DepthFilterParams& p = scene.depthFilter;
-        hash.add(p.enabled).add(p.spatialSigma).add(p.colorSigma).add(p.depthSigma).add(p.holeRadius);
+        hash.add(p.enabled).add(p.automatic).add(p.spatialSigma).add(p.colorSigma).add(p.depthSigma).add(p.holeRadius);
     };
     step.run = [](Board& board, const StepContext& context) {
         const Photo& photo = *board.scene->photo;

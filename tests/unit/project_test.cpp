@@ -75,14 +75,14 @@ TEST_F(ProjectTest, SavedProjectLoadsAsTheSameScene) {
     core::Scene scene = core::createScene(options());
     scene.segments[0].name = "Vase \"ä\"";
     scene.segments[0].glossy = true;
-    scene.segments[0].backSide = {core::BackSideMethod::ParallelMirror, 0.125f, 0.003f};
+    scene.segments[0].backSide = {core::BackSideMethod::ParallelMirror, 0.125f, 0.01f, 1.5f, 0.003f};
     scene.segments[0].reflectance = Vector3f(0.1f, 0.2f, 1.3f);
     scene.segments[0].edit =
         core::materialFromJson(R"({"brdf":"phong","exponent":33.3,"albedo":[0.1,0.2,0.3],"specular":[0.7,0.6,0.5],)"
                                R"("blend":{"new":0.75,"original":0.25}})");
     scene.segments[1].edit = core::materialFromJson(
         R"({"brdf":"none","translucency":{"preset":"marble","eta":1.5,"scale":2,"weight":0.5}})");
-    scene.depthFilter = {false, 1.5f, 0.2f, 0.02f, 5};
+    scene.depthFilter = {false, false, 1.5f, 0.2f, 0.02f, 5};
     scene.render = {17, 4000000000U, 3, false, 1234, 56};
     scene.environment.rotation = 0.5f;
     scene.environment.scale = 2;

@@ -29,6 +29,7 @@ BackSidePanel::BackSidePanel(Workspace& workspace, QWidget* parent) : Panel(work
     method_->setObjectName(QStringLiteral("backSideMethod"));
     method_->setAccessibleName(tr("Back side method"));
     method_->setToolTip(tr("How the side the camera does not see is invented"));
+    method_->addItem(tr("Automatic"), static_cast<int>(core::BackSideMethod::Automatic));
     method_->addItem(tr("Mirrored at a fitted plane"), static_cast<int>(core::BackSideMethod::PcaMirror));
     method_->addItem(tr("Mirrored at a plane facing the camera"),
                      static_cast<int>(core::BackSideMethod::ParallelMirror));
