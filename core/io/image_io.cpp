@@ -86,10 +86,7 @@ void decodeToLinear(ImageRgb& image, const OIIO::ImageSpec& spec) {
         decodeSrgb(image.pixels());
 }
 
-}  // namespace
-
-ImageRgb loadColor(const std::string& path) {
-    ImageReader reader(path);
+ImageRgb readColor(ImageReader& reader) {
     reader.seekPart([](const OIIO::ImageSpec& spec) { return findRgb(spec).has_value(); });
     const OIIO::ImageSpec& spec = reader.spec();
     RgbChannels channels;
@@ -113,8 +110,7 @@ ImageRgb loadColor(const std::string& path) {
     return applyOrientation(std::move(image), reader.orientation());
 }
 
-ImageF loadScalar(const std::string& path) {
-    ImageReader reader(path);
+ImageF readScalar(ImageReader& reader) {
     int channel = 0;
     for (const char* name : {"Z", "Y"}) {
         const auto has = [&](const OIIO::ImageSpec& spec) { return findChannel(spec, name) >= 0; };
@@ -124,6 +120,56 @@ ImageF loadScalar(const std::string& path) {
     }
     return applyOrientation(reader.readChannel(channel), reader.orientation());
 }
+
+ImageInfo readInfo(ImageReader& reader) {
+    const OIIO::ImageSpec& spec = reader.spec();
+    ImageInfo info;
+    info.orientation = reader.orientation();
+    info.width = info.orientation >= 5 ? reader.height() : reader.width();
+    info.height = info.orientation >= 5 ? reader.width() : reader.height();
+    if (const float focal = spec.get_float_attribute("Exif:FocalLengthIn35mmFilm", 0.0f);
+        std::isfinite(focal) && focal > 0)
+        info.focal35mm = focal;
+    info.format.floating = spec.format.is_floating_point();
+    info.format.bits = static_cast<int>(spec.format.basesize() * 8);
+    info.hasDepthChannel = reader.seekPart([](const OIIO::ImageSpec& part) { return findChannel(part, "Z") >= 0; });
+    if (info.hasDepthChannel && !info.format.floating) info.hasDepthChannel = false;
+    return info;
+}
+
+}  // namespace
+
+ImageRgb loadColor(const std::string& path) {
+    ImageReader reader(path);
+    return readColor(reader);
+}
+
+ImageRgb loadColor(EmbeddedImage image) {
+    ImageReader reader(std::move(image));
+    return readColor(reader);
+}
+
+ImageF loadScalar(const std::string& path) {
+    ImageReader reader(path);
+    return readScalar(reader);
+}
+
+ImageF loadScalar(EmbeddedImage image) {
+    ImageReader reader(std::move(image));
+    return readScalar(reader);
+}
+
+ImageInfo readImageInfo(const std::string& path) {
+    ImageReader reader(path);
+    return readInfo(reader);
+}
+
+ImageInfo readImageInfo(EmbeddedImage image) {
+    ImageReader reader(std::move(image));
+    return readInfo(reader);
+}
+
+StoredFormat storedFormat(const std::string& path) { return readImageInfo(path).format; }
 
 LabelImage loadLabels(const std::string& path) {
     ImageReader reader(path, ImageReader::Palette::Indices);
@@ -143,25 +189,6 @@ LabelImage loadLabels(const std::string& path) {
         labels[i] = static_cast<std::uint16_t>(value);
     }
     return applyOrientation(std::move(labels), reader.orientation());
-}
-
-StoredFormat storedFormat(const std::string& path) { return readImageInfo(path).format; }
-
-ImageInfo readImageInfo(const std::string& path) {
-    ImageReader reader(path);
-    const OIIO::ImageSpec& spec = reader.spec();
-    ImageInfo info;
-    info.orientation = reader.orientation();
-    info.width = info.orientation >= 5 ? reader.height() : reader.width();
-    info.height = info.orientation >= 5 ? reader.width() : reader.height();
-    if (const float focal = spec.get_float_attribute("Exif:FocalLengthIn35mmFilm", 0.0f);
-        std::isfinite(focal) && focal > 0)
-        info.focal35mm = focal;
-    info.format.floating = spec.format.is_floating_point();
-    info.format.bits = static_cast<int>(spec.format.basesize() * 8);
-    info.hasDepthChannel = reader.seekPart([](const OIIO::ImageSpec& part) { return findChannel(part, "Z") >= 0; });
-    if (info.hasDepthChannel && !info.format.floating) info.hasDepthChannel = false;
-    return info;
 }
 
 }  // namespace core

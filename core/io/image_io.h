@@ -39,8 +39,19 @@ struct ImageInfo {
     StoredFormat format;
 };
 [[nodiscard]] ImageInfo readImageInfo(const std::string& path);
+/// Whether the file's content is one of the formats above. Throws when there is no such file.
+[[nodiscard]] bool isImageFile(const std::string& path);
 /// Label map: 8 or 16-bit integers (floats when they are whole numbers), palette pictures by index. JPEG is refused.
 [[nodiscard]] LabelImage loadLabels(const std::string& path);
+
+/// An image file inside another file.
+struct EmbeddedImage {
+    std::string bytes;
+    std::string subject;  ///< what messages call it: `the depth map inside "photo.jpg"`
+};
+[[nodiscard]] ImageRgb loadColor(EmbeddedImage image);
+[[nodiscard]] ImageF loadScalar(EmbeddedImage image);
+[[nodiscard]] ImageInfo readImageInfo(EmbeddedImage image);
 
 // Writing. The target is replaced atomically: an existing file is never left half written, and survives any failure.
 // Throws Error(Output) when it cannot be written, Error(Usage) for an extension the content cannot be stored in.

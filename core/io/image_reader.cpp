@@ -25,12 +25,19 @@ constexpr std::size_t kAlwaysAcceptedBytes = std::size_t{16} << 20U;
 constexpr std::size_t kMaxFileSize = std::size_t{8} << 30U;
 constexpr int kMaxChannels = 1024;
 constexpr int kMaxParts = 64;
+constexpr std::size_t kMagicBytes = 12;
 
-std::string formatFromContent(const std::string& path) {
-    std::array<char, 12> head{};
+/// The first bytes of a file; fewer when it is shorter.
+std::string readHead(const std::string& path, std::size_t count) {
+    std::string head(count, '\0');
     std::ifstream file(path, std::ios::binary);
-    file.read(head.data(), head.size());
-    const std::string_view magic(head.data(), static_cast<std::size_t>(file.gcount()));
+    file.read(head.data(), static_cast<std::streamsize>(count));
+    head.resize(static_cast<std::size_t>(file.gcount()));
+    return head;
+}
+
+std::string formatFromContent(std::string_view bytes) {
+    const std::string_view magic = bytes.substr(0, kMagicBytes);
     const auto starts = [&](std::string_view prefix) { return magic.substr(0, prefix.size()) == prefix; };
     if (starts("\x76\x2f\x31\x01")) return "openexr";
     if (starts("\x89PNG\r\n\x1a\n")) return "png";
@@ -107,38 +114,54 @@ int findChannel(const OIIO::ImageSpec& spec, const std::string& name) {
     return layered;
 }
 
-ImageReader::ImageReader(const std::string& path, Palette palette) : path_(path), fileSize_(checkedFileSize(path)) {
+ImageReader::ImageReader(const std::string& path, Palette palette)
+    : subject_("\"" + path + "\""), path_(path), fileSize_(checkedFileSize(path)) {
     if (fileSize_ > kMaxFileSize) fail("it has " + std::to_string(fileSize_) + " bytes, more than Patina accepts");
-    format_ = formatFromContent(path);
+    format_ = formatFromContent(readHead(path, kMagicBytes));
+    open(path, palette);
+}
+
+ImageReader::ImageReader(EmbeddedImage image)
+    : subject_(std::move(image.subject)), fileSize_(image.bytes.size()), memory_(std::move(image.bytes)) {
+    format_ = formatFromContent(memory_);
+    open("embedded", Palette::Colors);
+}
+
+std::string ImageReader::readAll() const { return path_.empty() ? memory_ : readFile(path_, kMaxFileSize); }
+
+void ImageReader::open(const std::string& name, Palette palette) {
     if (format_.empty())
         fail("its content is no image format that Patina reads (expected EXR, PNG, TIFF, JPEG, PFM or HDR)");
-    if (format_ == "jpeg" && !jpegIsComplete(readFile(path, kMaxFileSize)))
-        fail("the file is truncated (JPEG data without an end)");
-    if (format_ == "tiff" && !tiffIsComplete(readFile(path, kMaxFileSize)))
-        fail("the file is truncated (TIFF data beyond its end)");
+    if (format_ == "jpeg" && !jpegIsComplete(readAll())) fail("the file is truncated (JPEG data without an end)");
+    if (format_ == "tiff" && !tiffIsComplete(readAll())) fail("the file is truncated (TIFF data beyond its end)");
     input_ = OIIO::ImageInput::create(format_, false);
     if (!input_) fail("this build of OpenImageIO does not read " + format_ + " files");
     OIIO::ImageSpec config;
     config["oiio:UnassociatedAlpha"] = 1;
     if (palette == Palette::Indices && format_ == "png") {
-        std::string bytes = readFile(path, kMaxFileSize);
-        if (indexedPngToGrey(bytes)) {
-            memory_ = std::move(bytes);
-            proxy_ = std::make_unique<OIIO::Filesystem::IOMemReader>(memory_.data(), memory_.size());
-            if (!input_->set_ioproxy(proxy_.get())) fail(input_->geterror());
-        }
+        std::string bytes = readAll();
+        if (indexedPngToGrey(bytes)) memory_ = std::move(bytes);
     }
-    if (!input_->open(path, spec_, config)) fail(input_->geterror());
+    if (!memory_.empty()) {
+        proxy_ = std::make_unique<OIIO::Filesystem::IOMemReader>(memory_.data(), memory_.size());
+        if (!input_->set_ioproxy(proxy_.get()))
+            fail("this build of OpenImageIO does not read " + format_ + " files from memory");
+    }
+    if (!input_->open(name, spec_, config)) fail(input_->geterror());
     checkHeader();
     if (format_ == "png" && pngBits() < 8) spec_["oiio:BitsPerSample"] = pngBits();
 }
 
+bool isImageFile(const std::string& path) {
+    (void)checkedFileSize(path);
+    return !formatFromContent(readHead(path, kMagicBytes)).empty();
+}
+
 /// PNG rows of 1, 2 or 4 bits arrive expanded to 8, without a word about it.
 int ImageReader::pngBits() const {
-    constexpr std::streamoff kBitDepth = 24;
-    std::ifstream file(path_, std::ios::binary);
-    file.seekg(kBitDepth);
-    return file.get();
+    constexpr std::size_t kBitDepth = 24;
+    const std::string head = path_.empty() ? memory_.substr(0, kBitDepth + 1) : readHead(path_, kBitDepth + 1);
+    return head.size() > kBitDepth ? head[kBitDepth] : 0;
 }
 
 ImageReader::~ImageReader() {
@@ -149,7 +172,7 @@ void ImageReader::fail(const std::string& reason) const {
     std::string text = reason;
     while (!text.empty() && (text.back() == '\n' || text.back() == '.' || text.back() == ' ')) text.pop_back();
     std::ranges::replace(text, '\n', ' ');
-    throw Error(ErrorKind::Input, "Cannot read \"" + path_ + "\": " + text + ".");
+    throw Error(ErrorKind::Input, "Cannot read " + subject_ + ": " + text + ".");
 }
 
 void ImageReader::checkHeader() const {

@@ -21,6 +21,7 @@ class ImageReader {
     enum class Palette { Colors, Indices };
 
     explicit ImageReader(const std::string& path, Palette palette = Palette::Colors);
+    explicit ImageReader(EmbeddedImage image);
     ~ImageReader();
     ImageReader(const ImageReader&) = delete;
     ImageReader& operator=(const ImageReader&) = delete;
@@ -49,15 +50,18 @@ class ImageReader {
     [[noreturn]] void fail(const std::string& reason) const;
 
   private:
+    void open(const std::string& name, Palette palette);
     void checkHeader() const;
+    [[nodiscard]] std::string readAll() const;
     [[nodiscard]] int pngBits() const;
     void readRegion(int channelBegin, int channelEnd, float* target);
     [[nodiscard]] bool dataFillsDisplay() const;
 
-    std::string path_;
+    std::string subject_;  ///< what messages call the file
+    std::string path_;     ///< empty for an embedded image
     std::string format_;
     std::size_t fileSize_ = 0;
-    std::string memory_;  ///< rewritten file (indexed PNG), empty otherwise
+    std::string memory_;  ///< an embedded image, or a rewritten file (indexed PNG); empty otherwise
     std::unique_ptr<OIIO::Filesystem::IOMemReader> proxy_;
     std::unique_ptr<OIIO::ImageInput> input_;
     OIIO::ImageSpec spec_;

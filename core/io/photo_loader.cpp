@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/io/image_io.h"
+#include "core/io/import/import_format.h"
 #include "core/io/orientation.h"
 #include "core/io/project.h"
 
@@ -60,7 +61,27 @@ Image<T> matchOrientation(Image<T> map, const std::string& path, const char* wha
                     "\" for \"" + colorPath + "\".");
 }
 
-Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, std::vector<std::string>* notes) {
+/// Focal lengths of 0.01 to 1000 image sides, a principal point within 10 image sides.
+bool isSensible(const Camera& camera) {
+    const auto near = [](float v, int size) {
+        return std::isfinite(v) && std::abs(v) <= 10.0f * static_cast<float>(size);
+    };
+    const auto focal = [](float f, int size) {
+        return std::isfinite(f) && f >= 0.01f * static_cast<float>(size) && f <= 1000.0f * static_cast<float>(size);
+    };
+    return focal(camera.fx, camera.width) && focal(camera.fy, camera.height) && near(camera.cx, camera.width) &&
+           near(camera.cy, camera.height);
+}
+
+std::string intrinsicsText(const Camera& camera) {
+    std::ostringstream text;
+    text << "fx=" << camera.fx << ", fy=" << camera.fy << ", cx=" << camera.cx << ", cy=" << camera.cy;
+    return text.str();
+}
+
+/// `stated`: what the file of the photograph says.
+Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, const std::optional<Camera>& stated,
+                    std::vector<std::string>* notes) {
     const int w = info.width;
     const int h = info.height;
     const std::string& path = request.source.color;
@@ -68,20 +89,12 @@ Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, std::vec
         Camera camera = *request.intrinsics;
         camera.width = w;
         camera.height = h;
-        const auto sane = [](float v, int size) {
-            return std::isfinite(v) && std::abs(v) <= 10.0f * static_cast<float>(size);
-        };
-        const auto focal = [](float f, int size) {
-            return std::isfinite(f) && f >= 0.01f * static_cast<float>(size) && f <= 1000.0f * static_cast<float>(size);
-        };
-        if (!focal(camera.fx, w) || !focal(camera.fy, h) || !sane(camera.cx, w) || !sane(camera.cy, h)) {
-            std::ostringstream text;
-            text << "The intrinsics fx=" << camera.fx << ", fy=" << camera.fy << ", cx=" << camera.cx
-                 << ", cy=" << camera.cy << " do not fit the colour image \"" << path << "\" of " << sizeText(w, h)
-                 << " pixels: expected focal lengths of 0.01 to 1000 image sides and a principal point "
-                 << "within 10 image sides.";
-            throw Error(ErrorKind::Usage, text.str());
-        }
+        if (!isSensible(camera))
+            throw Error(ErrorKind::Usage,
+                        "The intrinsics " + intrinsicsText(camera) + " do not fit the colour image \"" + path +
+                            "\" of " + sizeText(w, h) +
+                            " pixels: expected focal lengths of 0.01 to 1000 image sides and a principal point "
+                            "within 10 image sides.");
         return camera;
     }
     if (request.hfov) {
@@ -90,6 +103,14 @@ Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, std::vec
                                               std::to_string(*request.hfov * 180 / std::numbers::pi_v<float>) +
                                               " degrees, expected 0.1 to 177.");
         return Camera::fromHorizontalFov(w, h, *request.hfov);
+    }
+    if (stated) {
+        if (isSensible(*stated)) {
+            note(notes, "The intrinsics are taken from \"" + path + "\": " + intrinsicsText(*stated) + ".");
+            return *stated;
+        }
+        note(notes, "The intrinsics in \"" + path +
+                        "\" are ignored, because they fit no camera: " + intrinsicsText(*stated) + ".");
     }
     if (info.focal35mm) {
         const double diagonal = std::hypot(w, h);
@@ -104,13 +125,15 @@ Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, std::vec
     return Camera::fromHorizontalFov(w, h, static_cast<float>(kDefaultFovDegrees * std::numbers::pi / 180));
 }
 
+std::optional<double> requestedUnit(const PhotoRequest& request) {
+    if (request.depthUnit && (!(*request.depthUnit > 0) || !std::isfinite(*request.depthUnit)))
+        throw Error(ErrorKind::Usage, "The depth unit is " + std::to_string(*request.depthUnit) +
+                                          ", expected metres per stored unit, greater than 0.");
+    return request.depthUnit;
+}
+
 double chooseUnit(const PhotoRequest& request, const std::string& depthPath, const StoredFormat& format) {
-    if (request.depthUnit) {
-        if (!(*request.depthUnit > 0) || !std::isfinite(*request.depthUnit))
-            throw Error(ErrorKind::Usage, "The depth unit is " + std::to_string(*request.depthUnit) +
-                                              ", expected metres per stored unit, greater than 0.");
-        return *request.depthUnit;
-    }
+    if (const auto unit = requestedUnit(request)) return *unit;
     const bool length = request.source.depthKind == DepthKind::Z || request.source.depthKind == DepthKind::Distance;
     if (format.floating) return 1;
     if (format.bits == 16 && length) return 0.001;
@@ -119,18 +142,64 @@ double chooseUnit(const PhotoRequest& request, const std::string& depthPath, con
                                       "(--depth-unit).");
 }
 
-ImageF loadDepth(const std::string& path, DepthKind kind, double unit, const Camera& camera, int colorOrientation,
-                 const std::string& colorPath, const char* what, std::vector<std::string>* notes) {
-    const ImageInfo info = readImageInfo(path);
-    const ImageF stored =
-        matchOrientation(loadScalar(path), path, what, camera, info.orientation, colorOrientation, colorPath);
+/// Stored values in the photograph's layout to planar z on its raster.
+ImageF fitDepth(const ImageF& stored, DepthKind kind, double unit, const Camera& camera, const std::string& path,
+                std::vector<std::string>* notes) {
     const float sx = static_cast<float>(stored.width()) / static_cast<float>(camera.width);
     const float sy = static_cast<float>(stored.height()) / static_cast<float>(camera.height);
     const Camera own{stored.width(), stored.height(), camera.fx * sx, camera.fy * sy, camera.cx * sx, camera.cy * sy};
     if (stored.width() != camera.width)
-        note(notes, "\"" + path + "\" (" + sizeText(stored.width(), stored.height()) +
+        note(notes, "The depth in \"" + path + "\" (" + sizeText(stored.width(), stored.height()) +
                         ") is enlarged to the colour image (" + sizeText(camera.width, camera.height) + ").");
     return enlarge(planarDepth(stored, kind, unit, own), camera);
+}
+
+ImageF readDepthFile(const std::string& path, const Camera& camera, int colorOrientation, const std::string& colorPath,
+                     const char* what) {
+    return matchOrientation(loadScalar(path), path, what, camera, readImageInfo(path).orientation, colorOrientation,
+                            colorPath);
+}
+
+ImageInfo importedInfo(const ImportedPhoto& photo) {
+    ImageInfo info;
+    info.width = photo.color.width();
+    info.height = photo.color.height();
+    info.orientation = photo.orientation;
+    info.focal35mm = photo.focal35mm;
+    return info;
+}
+
+/// The photograph when it is in a file with depth, or in one that only an import format reads.
+std::optional<ImportedPhoto> importPhoto(const PhotoSource& source) {
+    if (!source.depth.empty() && isImageFile(source.color)) return std::nullopt;
+    const ImportFile file(source.color);
+    const ImportFormat* format = findImportFormat(file);
+    if (format == nullptr) return std::nullopt;
+    return format->read(file);
+}
+
+[[noreturn]] void refuseWithoutDepth(const std::string& path) {
+    std::string known;
+    for (const ImportFormat* format : importFormats()) known += (known.empty() ? "" : ", ") + std::string(format->name);
+    throw Error(ErrorKind::Input,
+                "\"" + path + "\" contains no depth map (" + known + "), and no depth image is given.");
+}
+
+/// Depth from inside the photograph's file; completes `source` by what the file says.
+ImageF fitImportedDepth(const ImportedPhoto& imported, const PhotoRequest& request, PhotoSource& source,
+                        const Camera& camera, std::vector<std::string>* notes) {
+    if (imported.kind) {
+        if (source.depthKind != DepthKind::Z && source.depthKind != *imported.kind)
+            throw Error(ErrorKind::Usage, "The depth kind is \"" + std::string(depthKindKey(source.depthKind)) +
+                                              "\", but the file says that the depth inside \"" + source.color +
+                                              "\" is \"" + depthKindKey(*imported.kind) + "\".");
+        source.depthKind = *imported.kind;
+    }
+    const auto given = requestedUnit(request);
+    source.depthUnit = given.value_or(imported.unit);
+    if (!given && !imported.assumedUnit.empty()) note(notes, imported.assumedUnit);
+    const ImageF stored = matchOrientation(imported.depth, source.color, "Depth image", camera, 1, 1, source.color);
+    return fitDepth(stored, source.depthKind, source.depthUnit, camera, source.color, notes);
 }
 
 void requireValidDepth(const ImageF& depth, const std::string& path) {
@@ -170,20 +239,25 @@ std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, std::vector<
     auto photo = std::make_shared<Photo>();
     photo->source = request.source;
     PhotoSource& source = photo->source;
-    const ImageInfo info = readImageInfo(source.color);
-    if (source.depth.empty() && !info.hasDepthChannel)
-        throw Error(ErrorKind::Input,
-                    "\"" + source.color + "\" contains no depth map (an EXR channel Z), and no depth image is given.");
-    const std::string& depthPath = source.depth.empty() ? source.color : source.depth;
-    const StoredFormat depthFormat = source.depth.empty() ? info.format : storedFormat(depthPath);
-    source.depthUnit = chooseUnit(request, depthPath, depthFormat);
-    photo->camera = chooseCamera(request, info, notes);
+    std::optional<ImportedPhoto> imported = importPhoto(source);
+    if (source.depth.empty() && (!imported || imported->depth.empty())) {
+        if (!imported) (void)readImageInfo(source.color);  // says what is wrong with a file that is no picture
+        refuseWithoutDepth(source.color);
+    }
+    const ImageInfo info = imported ? importedInfo(*imported) : readImageInfo(source.color);
+    photo->camera = chooseCamera(request, info, imported ? imported->camera : std::nullopt, notes);
     const Camera& camera = photo->camera;
-
-    photo->color = loadColor(source.color);
-    photo->depth = loadDepth(depthPath, source.depthKind, source.depthUnit, camera, info.orientation, source.color,
-                             "Depth image", notes);
-    requireValidDepth(photo->depth, depthPath);
+    if (source.depth.empty()) {
+        photo->depth = fitImportedDepth(*imported, request, source, camera, notes);
+    } else {
+        source.depthUnit = chooseUnit(request, source.depth, storedFormat(source.depth));
+        photo->depth = fitDepth(readDepthFile(source.depth, camera, info.orientation, source.color, "Depth image"),
+                                source.depthKind, source.depthUnit, camera, source.depth, notes);
+    }
+    requireValidDepth(photo->depth, source.depth.empty() ? source.color : source.depth);
+    photo->color = imported ? std::move(imported->color) : loadColor(source.color);
+    if (imported)
+        for (const std::string& remark : imported->remarks) note(notes, remark);
     if (source.segments.empty()) {
         photo->labels = LabelImage(camera.width, camera.height, 0);
     } else {
@@ -205,8 +279,8 @@ std::shared_ptr<const ImageRgb> loadEnvironment(const std::string& path) {
 
 std::shared_ptr<const ImageF> loadBackDepth(const std::string& path, const Camera& camera) {
     const StoredFormat format = storedFormat(path);
-    auto depth = std::make_shared<ImageF>(loadDepth(path, DepthKind::Z, format.floating ? 1.0 : 0.001, camera, 1,
-                                                    "the photograph", "Back depth image", nullptr));
+    auto depth = std::make_shared<ImageF>(fitDepth(readDepthFile(path, camera, 1, "the photograph", "Back depth image"),
+                                                   DepthKind::Z, format.floating ? 1.0 : 0.001, camera, path, nullptr));
     requireValidDepth(*depth, path);
     return depth;
 }

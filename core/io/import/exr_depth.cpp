@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/image_io.h"
+#include "core/io/import/import_format.h"
+
+namespace core {
+
+namespace {
+
+bool recognises(const ImportFile& file) {
+    return file.head().starts_with("\x76\x2f\x31\x01") && readImageInfo(file.path()).hasDepthChannel;
+}
+
+/// A renderer's picture: values of channel Z in its own unit, metres unless the user says otherwise.
+ImportedPhoto read(const ImportFile& file) {
+    ImportedPhoto photo;
+    photo.color = loadColor(file.path());
+    photo.depth = loadScalar(file.path());
+    photo.focal35mm = readImageInfo(file.path()).focal35mm;
+    return photo;
+}
+
+}  // namespace
+
+const ImportFormat exrDepthFormat{"channel Z of an EXR file", recognises, read};
+
+}  // namespace core

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/camera.h"
+#include "core/image.h"
+#include "core/scene.h"
+
+namespace core {
+
+/// A file that may hold a photograph together with its depth, for the import formats to look at.
+class ImportFile {
+  public:
+    /// Throws Error(Input) when there is no such regular file, or it is empty.
+    explicit ImportFile(std::string path);
+
+    [[nodiscard]] const std::string& path() const { return path_; }
+    /// The first kHeadBytes bytes, fewer when the file is shorter.
+    [[nodiscard]] const std::string& head() const { return head_; }
+    /// The whole file, read at the first call. Throws Error(Input) when it is larger than kMaxBytes.
+    [[nodiscard]] const std::string& bytes() const;
+
+    /// Throws Error(Input): `Cannot read "PATH": REASON.`
+    [[noreturn]] void fail(const std::string& reason) const;
+
+    static constexpr std::size_t kHeadBytes = 256;
+    static constexpr std::size_t kMaxBytes = std::size_t{2} << 30U;
+
+  private:
+    std::string path_;
+    std::string head_;
+    mutable std::string bytes_;
+};
+
+/// What an import format found in a file.
+struct ImportedPhoto {
+    ImageRgb color;                    ///< scene-linear, as displayed
+    int orientation = 1;               ///< EXIF orientation that has been applied to `color`
+    std::optional<float> focal35mm;    ///< 35 mm equivalent focal length [mm]
+    ImageF depth;                      ///< as displayed, may be smaller than `color`; empty = the file has no depth
+    std::optional<DepthKind> kind;     ///< of `depth`; nullopt = the file does not say
+    double unit = 1;                   ///< metres per unit of `depth`
+    std::string assumedUnit;           ///< sentence for the user when `unit` is an assumption; "" = the file states it
+    std::optional<Camera> camera;      ///< of `color`, as displayed; nullopt = the file does not say
+    std::vector<std::string> remarks;  ///< further sentences for the user
+};
+
+/// A kind of file that holds colour and depth.
+struct ImportFormat {
+    const char* name;  ///< for messages: where the depth is, `channel Z of an EXR file`
+    /// By content. Throws Error(Input) only when the file is too damaged to tell.
+    bool (*recognises)(const ImportFile& file);
+    /// Throws Error(Input) that names the file, what was expected and what was found.
+    ImportedPhoto (*read)(const ImportFile& file);
+};
+
+/// The import formats, one a line, in the order in which they are asked. `X` is a constant defined in a file of its
+/// own.
+#define PATINA_IMPORT_FORMATS(X) X(exrDepthFormat)
+
+#define PATINA_DECLARE(format) extern const ImportFormat format;
+PATINA_IMPORT_FORMATS(PATINA_DECLARE)
+#undef PATINA_DECLARE
+
+[[nodiscard]] std::span<const ImportFormat* const> importFormats();
+
+/// The first that recognises the file; nullptr when none does.
+[[nodiscard]] const ImportFormat* findImportFormat(const ImportFile& file);
+
+}  // namespace core
