@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/evaluate/metrics.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/srgb.h"
 
 namespace evaluate {
 
 namespace {
-
-float luminance(const core::Vector3f& c) { return 0.2126f * c.x() + 0.7152f * c.y() + 0.0722f * c.z(); }
 
 double ssimOverMask(const core::ImageRgb& a, const core::ImageRgb& b, const core::Image<std::uint8_t>& mask) {
     constexpr int kRadius = 5;
@@ -52,6 +52,21 @@ double ssimOverMask(const core::ImageRgb& a, const core::ImageRgb& b, const core
 }
 
 }  // namespace
+
+float luminance(const core::Vector3f& c) { return 0.2126f * c.x() + 0.7152f * c.y() + 0.0722f * c.z(); }
+
+double quantile(std::vector<float> values, double q) {
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const auto rank = static_cast<std::ptrdiff_t>(std::lround(q * static_cast<double>(values.size() - 1)));
+    std::nth_element(values.begin(), values.begin() + rank, values.end());
+    return values[static_cast<std::size_t>(rank)];
+}
+
+double angleDegrees(const core::Vector3f& a, const core::Vector3f& b) {
+    const Eigen::Vector3d u = a.cast<double>();
+    const Eigen::Vector3d v = b.cast<double>();
+    return std::atan2(u.cross(v).norm(), u.dot(v)) * 180 / std::numbers::pi;
+}
 
 core::Image<std::uint8_t> erodedMask(const core::LabelImage& labels, std::uint16_t label, int erosion) {
     core::Image<std::uint8_t> mask(labels.width(), labels.height());

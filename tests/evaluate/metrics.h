@@ -24,6 +24,15 @@ struct Metrics {
 /// sRGB-encoded, clipped to [0, 1].
 [[nodiscard]] core::ImageRgb displayEncoded(const core::ImageRgb& linear, float exposure);
 
+/// Rec.709 luminance of linear radiance.
+[[nodiscard]] float luminance(const core::Vector3f& c);
+
+/// The value below which the fraction `q` of the values lies; NaN when there is none.
+[[nodiscard]] double quantile(std::vector<float> values, double q);
+
+/// Angle between two vectors [degrees], exact for small angles too.
+[[nodiscard]] double angleDegrees(const core::Vector3f& a, const core::Vector3f& b);
+
 [[nodiscard]] Metrics compare(const core::ImageRgb& picture, const core::ImageRgb& truth,
                               const core::Image<std::uint8_t>& mask, float exposure);
 

@@ -18,8 +18,8 @@ struct SensorNoise {
     float flyingFraction = 0.35f;   ///< of the pixels at edges, measured between the two surfaces
 };
 
-/// What such a camera measures of true planar depth [m]. Pixels without depth stay without, the others keep theirs or
-/// another. The same seed gives the same noise.
+/// What such a camera measures of true planar depth [m]. Pixels without depth stay without, all others get
+/// one. The same seed gives the same noise.
 [[nodiscard]] core::ImageF withSensorNoise(const core::ImageF& depth, const SensorNoise& noise = {},
                                            std::uint32_t seed = 1);
 

@@ -54,4 +54,19 @@ TEST(EvaluateMetrics, ErosionTakesOnePixelPerRound) {
     EXPECT_EQ(mask(2, 2), 0);
 }
 
+TEST(EvaluateMetrics, Quantiles) {
+    EXPECT_EQ(evaluate::quantile({5, 1, 4, 2, 3}, 0.5), 3);
+    EXPECT_EQ(evaluate::quantile({5, 1, 4, 2, 3}, 1), 5);
+    std::vector<float> hundred;
+    for (int i = 100; i >= 0; --i) hundred.push_back(static_cast<float>(i));
+    EXPECT_EQ(evaluate::quantile(hundred, 0.95), 95);
+    EXPECT_TRUE(std::isnan(evaluate::quantile({}, 0.5)));
+}
+
+TEST(EvaluateMetrics, AnglesOfAllSizes) {
+    EXPECT_NEAR(evaluate::angleDegrees({1, 0, 0}, {0, 2, 0}), 90, 1e-9);
+    EXPECT_NEAR(evaluate::angleDegrees({1, 0, 0}, {-1, 0, 0}), 180, 1e-9);
+    EXPECT_NEAR(evaluate::angleDegrees({1, 0, 0}, {1, 1e-4f, 0}), 5.7296e-3, 1e-6);
+}
+
 }  // namespace

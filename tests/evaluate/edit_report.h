@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <ostream>
+#include <vector>
+
+#include "core/pipeline.h"
+#include "gpu/device.h"
+#include "tests/evaluate/scene_folder.h"
+
+namespace evaluate {
+
+/// One edit as it was, as Patina renders it from what it recovered, with the true light, with the true light and back
+/// side, and as it is. Scene-linear.
+struct EditPictures {
+    core::ImageRgb unedited, ours, trueLight, trueBoth, truth;
+};
+
+/// Renders one edit of a scene with the scene's number of samples.
+[[nodiscard]] EditPictures renderEdit(const SceneFolder& folder, const Edit& edit, core::AnalysisPipeline& pipeline,
+                                      const gpu::Device& device);
+
+/// PSNR, SSIM, relative MSE and mean of each picture inside the edited segment eroded by one pixel.
+[[nodiscard]] Json editReport(const SceneFolder& folder, const Edit& edit, const EditPictures& pictures);
+
+/// Table of all edits and their averages, as Markdown.
+void printEdits(std::ostream& out, const Json& reports);
+
+/// Mean over the edits of `key`'s metric ("psnr", "ssim", "rel_mse"); infinite ones are left out.
+[[nodiscard]] double meanOverEdits(const Json& reports, const std::string& variant, const std::string& metric);
+
+}  // namespace evaluate

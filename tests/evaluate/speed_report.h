@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "gpu/device.h"
+#include "tests/evaluate/scene_folder.h"
+
+namespace evaluate {
+
+/// How long every step of the analysis of a scene takes, and this process's peak memory meanwhile, as `patina-cli bench
+/// analyse` measures them. Cases with a target have "limit_seconds" and "limit_bytes": two glossy segments at 1024²,
+/// and 12 megapixels (the studio, enlarged).
+[[nodiscard]] std::vector<Json> speedReports(const SceneFolder& folder, const gpu::Device& device);
+
+/// Table of all cases, as Markdown.
+void printSpeed(std::ostream& out, const Json& reports);
+
+[[nodiscard]] std::string gibibytes(const Json& bytes);
+
+}  // namespace evaluate
