@@ -13,125 +13,187 @@ namespace {
 
 constexpr const char* kName = "Filter depth";
 
-/// Display encoding, a plain 1/2.2 power: the filter's colour range is in what the eye compares.
-ImageRgb encodeColor(const ImageRgb& color, const StepContext& context) {
-    ImageRgb encoded(color.width(), color.height());
+/// Colours as the eye compares them: 8-bit with a square root for the display's curve, red lowest.
+Image<std::uint32_t> encodeColor(const ImageRgb& color, const StepContext& context) {
+    Image<std::uint32_t> encoded(color.width(), color.height());
     parallelFor(
         context, kName, color.height(),
         [&](int y) {
-            for (int x = 0; x < color.width(); ++x)
-                encoded(x, y) = color(x, y).cwiseMax(0.0f).cwiseMin(1.0f).array().pow(1 / 2.2f);
+            for (int x = 0; x < color.width(); ++x) {
+                const Vector3f& c = color(x, y);
+                std::uint32_t packed = 0;
+                for (int k = 2; k >= 0; --k)
+                    packed =
+                        packed << 8 | static_cast<std::uint32_t>(255 * std::sqrt(std::clamp(c[k], 0.0f, 1.0f)) + 0.5f);
+                encoded(x, y) = packed;
+            }
         },
         0.0f, 0.1f);
     return encoded;
 }
 
-float median(std::vector<float>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
+/// Squared distance of two encoded colours, [0, 3].
+float squaredDistance(std::uint32_t a, std::uint32_t b) {
+    int sum = 0;
+    for (int shift = 0; shift < 24; shift += 8) {
+        const int difference = static_cast<int>(a >> shift & 255) - static_cast<int>(b >> shift & 255);
+        sum += difference * difference;
+    }
+    return static_cast<float>(sum) * (1.0f / (255 * 255));
 }
 
-/// Relative step between neighbouring stored values, 0 when the depth is not quantised: then nearly every pixel has a
-/// value of its own.
-float relativeQuantum(const ImageF& depth) {
-    std::vector<float> values;
-    const std::size_t stride = depth.size() / 200000 + 1;
-    for (std::size_t i = 0; i < depth.size(); i += stride)
-        if (depth[i] > 0) values.push_back(depth[i]);
-    const std::size_t count = values.size();
-    std::ranges::sort(values);
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-    if (values.size() < 3 || values.size() * 4 > count) return 0;
-    std::vector<float> gaps;
-    for (std::size_t i = 1; i < values.size(); ++i) gaps.push_back(values[i] / values[i - 1] - 1);
-    return median(gaps);
+/// One pair of taps, (dx, dy) and (−dx, −dy) [px].
+struct Pair {
+    int dx, dy;
+    float weight;
+};
+using Kernel = std::array<Pair, 12>;
+
+/// 5×5 Gaussian with taps `step` apart, `sigma` in units of `step`; the centre's weight is 1.
+Kernel makeKernel(int step, float sigma) {
+    Kernel kernel{};
+    std::size_t count = 0;
+    for (int dy = 0; dy <= 2; ++dy)
+        for (int dx = -2; dx <= 2; ++dx)
+            if (dy > 0 || dx > 0)
+                kernel[count++] = {dx * step, dy * step,
+                                   2 * std::exp(static_cast<float>(-dx * dx - dy * dy) / (2 * sigma * sigma))};
+    return kernel;
+}
+
+/// Tukey's biweight of a squared residual in units of its limit: 1 at 0, 0 from 1 on. Close to a Gaussian whose σ is
+/// `kLimit` times smaller than the limit, without its exponential.
+float biweight(float squared) {
+    const float t = std::max(1 - squared, 0.0f);
+    return t * t;
+}
+constexpr float kLimit = 2.18f;
+
+/// What one pass needs to know.
+struct Pass {
+    const ImageF& inverseDepth;
+    const Image<std::uint32_t>& color;
+    const LabelImage& labels;
+    Kernel kernel;
+    NoiseCurve range;       ///< limit of a pair's residual [1/m]
+    float colorFactor = 0;  ///< 1 / (limit of colour differences)²
+
+    [[nodiscard]] float filtered(int x, int y) const {
+        const float w = inverseDepth(x, y);
+        const float limit = range.at(w);
+        if (w <= 0 || limit <= 0) return w;
+        const float factor = 1 / (limit * limit);
+        const std::uint16_t label = labels(x, y);
+        const std::uint32_t center = color(x, y);
+        float sum = 0;
+        float weight = 1;
+        for (const Pair& pair : kernel) {
+            const int ax = x + pair.dx, ay = y + pair.dy, bx = x - pair.dx, by = y - pair.dy;
+            if (!inverseDepth.contains(ax, ay) || !inverseDepth.contains(bx, by)) continue;
+            const std::size_t a = inverseDepth.index(ax, ay);
+            const std::size_t b = inverseDepth.index(bx, by);
+            const float wa = inverseDepth[a];
+            const float wb = inverseDepth[b];
+            const float residual = 0.5f * (wa + wb) - w;
+            const float squared = residual * residual * factor;
+            if (squared >= 1 || wa <= 0 || wb <= 0 || labels[a] != label || labels[b] != label) continue;
+            const float k =
+                pair.weight * biweight(squared) *
+                biweight((squaredDistance(color[a], center) + squaredDistance(color[b], center)) * colorFactor);
+            sum += k * residual;
+            weight += k;
+        }
+        return w + sum / weight;
+    }
+};
+
+ImageF run(const Pass& pass, const StepContext& context, float from, float to) {
+    ImageF result(pass.inverseDepth.width(), pass.inverseDepth.height());
+    parallelFor(
+        context, kName, result.height(),
+        [&](int y) {
+            for (int x = 0; x < result.width(); ++x) result(x, y) = pass.filtered(x, y);
+        },
+        from, to);
+    return result;
+}
+
+NoiseCurve scaled(NoiseCurve curve, float factor) {
+    for (float& sigma : curve.sigma) sigma *= factor;
+    return curve;
+}
+
+constexpr int kMaxPasses = 5;
+constexpr float kLeastNoise = 2e-6f;  ///< of depth that was filtered: it is not exact, however smooth
+constexpr float kAutomaticColorSigma = 0.25f;
+
+ImageF filterAutomatically(ImageF w, const Image<std::uint32_t>& color, const LabelImage& labels, const Camera& camera,
+                           const DepthNoise& noise, float pixelsPerSample, const StepContext& context) {
+    const float colorFactor = 1 / (kLimit * kLimit * kAutomaticColorSigma * kAutomaticColorSigma);
+    const int base = std::max(1, static_cast<int>(std::lround(pixelsPerSample)));
+    constexpr float kMinTilt = 0.02f;   // [rad], about a degree
+    constexpr float kAllowance = 6.0f;  // limit of residuals in σ of what is left: keeps most of what is noise
+    for (int k = 0; k < kMaxPasses; ++k) {
+        const int step = base << k;
+        // Uncorrelated noise halves with every pass at least; correlated noise only once taps are farther apart.
+        const float predicted =
+            noise.quantised ? 1.0f : std::min(1.0f, 2 * noise.correlationLength / static_cast<float>(step));
+        NoiseCurve left = scaled(noise.deviation, predicted);
+        if (!noise.quantised) {
+            const NoiseCurve measured = measureNoise(w, labels, step, Differences::Second, context);
+            for (std::size_t i = 0; i < left.sigma.size(); ++i)
+                if (measured.sigma[i] > 0) left.sigma[i] = std::min(left.sigma[i], measured.sigma[i]);
+        }
+        float tilt = 0;
+        for (std::size_t i = 0; i < left.sigma.size(); ++i) {
+            const float level = left.first + static_cast<float>(i) / left.cellsPerUnit;
+            tilt = std::max(tilt, left.sigma[i] / level);
+        }
+        tilt *= std::max(camera.fx, camera.fy) / static_cast<float>(step);
+        if (tilt < kMinTilt && step > static_cast<int>(noise.correlationLength)) break;
+        const Pass pass{w, color, labels, makeKernel(step, 1.0f), scaled(left, kAllowance), colorFactor};
+        ImageF next = run(pass, context, 0.1f + 0.18f * static_cast<float>(k), 0.28f + 0.18f * static_cast<float>(k));
+        w = std::move(next);
+    }
+    return w;
+}
+
+ImageF filterByHand(ImageF w, const Image<std::uint32_t>& color, const LabelImage& labels,
+                    const DepthFilterParams& params, const StepContext& context) {
+    const float colorSigma = std::max(params.colorSigma, 1e-4f);
+    NoiseCurve range;
+    range.cellsPerUnit = 1;  // σ(1/z) = σ(z)/z · 1/z
+    for (std::size_t i = 0; i < range.sigma.size(); ++i)
+        range.sigma[i] = kLimit * params.depthSigma * static_cast<float>(i);
+    // Variances add up: passes with a σ of t, 2t, 4t, ... pixels.
+    int passes = 1;
+    float variance = 1;
+    while (variance < params.spatialSigma * params.spatialSigma && passes < kMaxPasses)
+        variance += static_cast<float>(1 << (2 * passes++));
+    const float sigma = std::min(params.spatialSigma / std::sqrt(variance), 1.5f);
+    for (int k = 0; k < passes; ++k) {
+        const Pass pass{
+            w, color, labels, makeKernel(1 << k, sigma), range, 1 / (kLimit * kLimit * colorSigma * colorSigma)};
+        ImageF next = run(pass, context, 0.1f + 0.18f * static_cast<float>(k), 0.28f + 0.18f * static_cast<float>(k));
+        w = std::move(next);
+    }
+    return w;
 }
 
 }  // namespace
 
-float estimateRelativeNoise(const ImageF& depth, const LabelImage& labels) {
-    std::vector<float> residuals;
-    const auto add = [&](std::size_t i, std::size_t step) {
-        const std::size_t a = i - step;
-        const std::size_t b = i + step;
-        if (depth[a] <= 0 || depth[b] <= 0 || labels[a] != labels[i] || labels[b] != labels[i]) return;
-        residuals.push_back(std::abs(0.5f * (depth[i] / depth[a] + depth[i] / depth[b]) - 1));
-    };
-    const auto width = static_cast<std::size_t>(depth.width());
-    const int stride = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(depth.size()) / 100000)));
-    for (int y = 1; y + 1 < depth.height(); y += stride) {
-        for (int x = 1; x + 1 < depth.width(); x += stride) {
-            const std::size_t i = depth.index(x, y);
-            if (depth[i] <= 0) continue;
-            add(i, 1);
-            add(i, width);
-        }
-    }
-    if (residuals.empty()) return 0;
-    // median |r| = 0.6745 σ_r and σ_r² = 1.5 σ²; a uniform error of one quantum has σ = quantum/√12.
-    const float measured = median(residuals) / (0.6745f * std::sqrt(1.5f));
-    return std::max(measured, relativeQuantum(depth) / std::sqrt(12.0f));
-}
-
-ImageF filterDepth(const ImageF& depth, const ImageRgb& color, const LabelImage& labels,
-                   const DepthFilterParams& params, float relativeNoise, const StepContext& context) {
-    const float depthSigma = std::min(params.depthSigma, 3 * relativeNoise);
-    if (!params.enabled || params.spatialSigma <= 0 || depthSigma <= 1e-7f) return depth;
-
-    struct Pair {
-        int dx, dy;
-        float exponent;
-    };
-    const int radius = std::clamp(static_cast<int>(std::ceil(2 * params.spatialSigma)), 1, 16);
-    std::vector<Pair> pairs;
-    for (int dy = 0; dy <= radius; ++dy)
-        for (int dx = -radius; dx <= radius; ++dx)
-            if ((dy > 0 || dx > 0) && dx * dx + dy * dy <= radius * radius)
-                pairs.push_back(
-                    {dx, dy, static_cast<float>(dx * dx + dy * dy) / (2 * params.spatialSigma * params.spatialSigma)});
-    const ImageRgb encoded = encodeColor(color, context);
-    const float colorFactor = 1 / (2 * std::max(params.colorSigma, 1e-4f) * std::max(params.colorSigma, 1e-4f));
-    const float depthFactor = 1 / (2 * depthSigma * depthSigma);
-    // Either pixel of a pair may differ more: a slope is no discontinuity, but a jump of several σ is.
-    const float jump = 8 * params.depthSigma;
-
-    ImageF result(depth.width(), depth.height());
-    parallelFor(
-        context, kName, depth.height(),
-        [&](int y) {
-            for (int x = 0; x < depth.width(); ++x) {
-                const float z = depth(x, y);
-                if (z <= 0) continue;
-                const std::uint16_t label = labels(x, y);
-                const Vector3f& center = encoded(x, y);
-                float sum = 1;
-                float weight = 1;
-                for (const Pair& pair : pairs) {
-                    const int ax = x + pair.dx, ay = y + pair.dy, bx = x - pair.dx, by = y - pair.dy;
-                    if (!depth.contains(ax, ay) || !depth.contains(bx, by)) continue;
-                    const float za = depth(ax, ay);
-                    const float zb = depth(bx, by);
-                    if (za <= 0 || zb <= 0 || labels(ax, ay) != label || labels(bx, by) != label) continue;
-                    const float wa = z / za;
-                    const float wb = z / zb;
-                    if (std::abs(wa - 1) > jump || std::abs(wb - 1) > jump) continue;
-                    const float mean = 0.5f * (wa + wb);
-                    const float residual = mean - 1;
-                    const float exponent =
-                        pair.exponent + residual * residual * depthFactor +
-                        ((encoded(ax, ay) - center).squaredNorm() + (encoded(bx, by) - center).squaredNorm()) *
-                            colorFactor;
-                    if (exponent > 10) continue;
-                    const float k = 2 * std::exp(-exponent);
-                    sum += k * mean;
-                    weight += k;
-                }
-                result(x, y) = z * weight / sum;
-            }
-        },
-        0.1f, 1.0f);
-    return result;
+ImageF filterDepth(const ImageF& depth, const ImageRgb& color, const LabelImage& labels, const Camera& camera,
+                   const DepthFilterParams& params, const DepthNoise& noise, float pixelsPerSample,
+                   const StepContext& context) {
+    if (!params.enabled) return depth;
+    const bool nothing = params.automatic ? noise.relative <= 0 : params.spatialSigma <= 0 || params.depthSigma <= 0;
+    if (nothing) return depth;
+    const Image<std::uint32_t> encoded = encodeColor(color, context);
+    ImageF w = inverseOf(depth);
+    w = params.automatic ? filterAutomatically(std::move(w), encoded, labels, camera, noise, pixelsPerSample, context)
+                         : filterByHand(std::move(w), encoded, labels, params, context);
+    for (std::size_t i = 0; i < w.size(); ++i) w[i] = depth[i] > 0 ? 1 / w[i] : 0.0f;
+    return w;
 }
 
 void fillSmallHoles(ImageF& depth, const LabelImage& labels, int radius) {
@@ -295,9 +357,15 @@ Step filterDepthStep() {
                         "The depth map has no valid pixel: all of its " + std::to_string(depth.size()) +
                             " values are zero or not finite, but at least one positive depth is needed. Load a depth "
                             "map that belongs to the photograph, or check its unit and kind.");
-        result->relativeNoise = estimateRelativeNoise(depth, photo.labels);
-        result->depth =
-            filterDepth(depth, photo.color, photo.labels, board.scene->depthFilter, result->relativeNoise, context);
+        const DepthNoise noise = estimateDepthNoise(inverseOf(depth), photo.labels, photo.depthStep, context);
+        result->depth = filterDepth(depth, photo.color, photo.labels, photo.camera, board.scene->depthFilter, noise,
+                                    photo.depthStep, context);
+        result->relativeNoise = noise.relative;
+        if (board.scene->depthFilter.enabled && noise.relative > 0) {
+            const ImageF left = inverseOf(result->depth);
+            result->relativeNoise = std::max(
+                kLeastNoise, relativeNoise(measureNoise(left, photo.labels, 1, Differences::Fourth, context), left));
+        }
         if (board.scene->depthFilter.enabled)
             fillSmallHoles(result->depth, photo.labels, board.scene->depthFilter.holeRadius);
         completeSegments(result->depth, photo.labels, context);

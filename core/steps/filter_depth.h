@@ -2,21 +2,23 @@
 #pragma once
 
 #include "core/scene.h"
+#include "core/steps/depth_noise.h"
 #include "core/steps/step.h"
 
 namespace core::steps {
 
-/// Relative standard deviation of the depth noise, σ(z)/z: from second differences of inverse depth (which vanish on
-/// planes; median, so that edges and curvature do not count) and from the depth's quantisation step, whichever is
-/// larger.
-[[nodiscard]] float estimateRelativeNoise(const ImageF& depth, const LabelImage& labels);
-
-/// Joint bilateral filter in inverse depth over pairs of pixels that lie opposite each other about the centre: planes
-/// are linear in inverse depth, so a plane of any tilt stays the plane it is. A pair counts by its distance, by its
-/// colours' similarity to the centre, and by how far its mean is from the centre's depth; both pixels must be valid and
-/// carry the centre's label. The depth range is min(depthSigma, 3·relativeNoise): exact depth keeps its detail.
+/// Edge-avoiding à-trous filter of inverse depth ([DSHL10]): passes of a 5×5 kernel whose taps lie 1, 2, 4, ... pixels
+/// apart, so that wide kernels cost little. Taps come in pairs opposite each other about the centre: planes are linear
+/// in inverse depth, so a plane of any tilt stays the plane it is. A pair counts by its distance, by its colours'
+/// similarity to the centre, and by how far its mean is from the centre; both pixels must be valid and carry the
+/// centre's label.
+///
+/// Automatic: each pass allows for the noise that is left at its scale, measured before it, and the last one is that
+/// after which noise tilts a surface by less than a degree. Exact depth is returned as it is. Otherwise the passes
+/// add up to `spatialSigma`, and colorSigma and depthSigma are the ranges. Invalid pixels (0) stay invalid.
 [[nodiscard]] ImageF filterDepth(const ImageF& depth, const ImageRgb& color, const LabelImage& labels,
-                                 const DepthFilterParams& params, float relativeNoise, const StepContext& context);
+                                 const Camera& camera, const DepthFilterParams& params, const DepthNoise& noise,
+                                 float pixelsPerSample, const StepContext& context);
 
 /// Fills holes inside labelled segments whose every pixel has a valid pixel of the segment within `radius` [px], by a
 /// plane through the neighbours. Holes without a label stay distant: they are the background.

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/steps/surface.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/parallel.h"
 
@@ -15,94 +13,111 @@ namespace {
 constexpr const char* kName = "Surface";
 constexpr float kMinCosine = 0.02f;
 
-/// Smallest window whose fitted plane is tilted by noise by less than 0.02 rad: Var(g) = σ²/Σx².
-int windowRadius(const Camera& camera, float relativeNoise) {
-    constexpr float kSquareSums[] = {6, 50, 196};
-    for (int radius = 1; radius <= 2; ++radius)
-        if (relativeNoise * camera.fx / std::sqrt(kSquareSums[radius - 1]) < 0.02f) return radius;
-    return 3;
-}
-
+/// Fit of one pixel's plane. Plain arithmetic on arrays, the same on every device.
 struct NormalFit {
+    static constexpr int kMaxRadius = 3;
+
     const Camera& camera;
     const ImageF& depth;
     const LabelImage& labels;
-    int radius;
     float relativeNoise;
+    int radius = 1;
+    float falloff = 0;    ///< weight of a tap at a squared distance d²: exp(−falloff·d²)
+    float footprint = 0;  ///< of a pixel, relative to its depth
 
-    [[nodiscard]] std::optional<double> inverseDepth(int x, int y, std::uint16_t label) const {
-        if (!depth.contains(x, y) || labels(x, y) != label) return std::nullopt;
-        const float z = depth(x, y);
-        if (z <= 0) return std::nullopt;
-        return 1.0 / z;
+    NormalFit(const Camera& c, const ImageF& z, const LabelImage& l, float noise)
+        : camera(c), depth(z), labels(l), relativeNoise(noise), footprint(1 / std::min(c.fx, c.fy)) {
+        // Detail of exact depth is true; of what was measured it is what the filter left of the noise.
+        if (relativeNoise > 0) radius = kMaxRadius;
+        falloff = 0.5f / static_cast<float>(radius * radius);
     }
 
-    /// Slope along (dx, dy) from the side where inverse depth continues more linearly; the mean of both where neither
-    /// is clearly better.
-    [[nodiscard]] double guessSlope(int x, int y, int dx, int dy) const {
-        const std::uint16_t label = labels(x, y);
-        const double w = 1.0 / depth(x, y);
-        const double floor = w * (2 * relativeNoise + 1e-7);
-        struct OneSide {
-            double slope = 0, error = 0;
-        };
-        const auto side = [&](int sign) -> std::optional<OneSide> {
-            const auto first = inverseDepth(x + sign * dx, y + sign * dy, label);
-            if (!first) return std::nullopt;
-            const auto second = inverseDepth(x + 2 * sign * dx, y + 2 * sign * dy, label);
-            const double error = second ? std::abs(w - 2 * *first + *second) : std::abs(*first - w);
-            return OneSide{sign * (*first - w), error + floor};
-        };
-        const auto left = side(-1);
-        const auto right = side(1);
-        if (!left && !right) return 0;
-        if (!left) return right->slope;
-        if (!right) return left->slope;
-        if (left->error > 6 * right->error) return right->slope;
-        if (right->error > 6 * left->error) return left->slope;
-        return 0.5 * (left->slope + right->slope);
+    /// Inverse depth of a pixel of the segment, 0 if there is none.
+    [[nodiscard]] float inverseDepth(int x, int y, std::uint16_t label) const {
+        if (!depth.contains(x, y)) return 0;
+        const std::size_t i = depth.index(x, y);
+        const float z = depth[i];
+        return z > 0 && labels[i] == label ? 1 / z : 0;
+    }
+
+    /// Slope along (dx, dy): from the side where inverse depth continues more linearly where the sides disagree, from
+    /// both where they agree.
+    [[nodiscard]] float guessSlope(int x, int y, int dx, int dy, std::uint16_t label, float w) const {
+        const float before2 = inverseDepth(x - 2 * dx, y - 2 * dy, label);
+        const float before = inverseDepth(x - dx, y - dy, label);
+        const float after = inverseDepth(x + dx, y + dy, label);
+        const float after2 = inverseDepth(x + 2 * dx, y + 2 * dy, label);
+        if (before <= 0 && after <= 0) return 0;
+        if (before <= 0) return after - w;
+        if (after <= 0) return w - before;
+        const float floor = w * (2 * relativeNoise + 1e-7f);
+        const float errorBefore = floor + std::abs(before2 > 0 ? w - 2 * before + before2 : w - before);
+        const float errorAfter = floor + std::abs(after2 > 0 ? w - 2 * after + after2 : w - after);
+        if (errorBefore > 6 * errorAfter) return after - w;
+        if (errorAfter > 6 * errorBefore) return w - before;
+        return 0.5f * (after - before);
     }
 
     /// Normal of the fitted plane towards +z, not normalised: N with N·P = 1 on the plane.
-    [[nodiscard]] Eigen::Vector3d fit(int x, int y) const {
+    [[nodiscard]] Vector3f fit(int x, int y) const {
         const std::uint16_t label = labels(x, y);
-        const double w = 1.0 / depth(x, y);
-        const double footprint = w / std::min(camera.fx, camera.fy);
-        double a = w;
-        double gu = guessSlope(x, y, 1, 0);
-        double gv = guessSlope(x, y, 0, 1);
-        const double spread = 2.0 * radius * radius;
-        for (int iteration = 0; iteration < 3; ++iteration) {
-            Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-            Eigen::Vector3d rhs = Eigen::Vector3d::Zero();
+        const float w = 1 / depth(x, y);
+        float offset = 0;
+        float gu = guessSlope(x, y, 1, 0, label, w);
+        float gv = guessSlope(x, y, 0, 1, label, w);
+        constexpr int kSide = 2 * kMaxRadius + 1;
+        float difference[kSide * kSide];
+        bool valid[kSide * kSide];
+        int tap = 0;
+        for (int dy = -radius; dy <= radius; ++dy)
+            for (int dx = -radius; dx <= radius; ++dx, ++tap) {
+                const float value = inverseDepth(x + dx, y + dy, label);
+                valid[tap] = value > 0;
+                difference[tap] = value - w;
+            }
+        constexpr float kLimit = 1.54f;  // biweight that is close to exp(−r²)
+        for (int iteration = 0; iteration < 2; ++iteration) {
+            float s = 0, su = 0, sv = 0, suu = 0, suv = 0, svv = 0, sw = 0, suw = 0, svw = 0;
+            tap = 0;
             for (int dy = -radius; dy <= radius; ++dy) {
-                for (int dx = -radius; dx <= radius; ++dx) {
-                    const auto value = inverseDepth(x + dx, y + dy, label);
-                    if (!value) continue;
-                    const double squared = dx * dx + dy * dy;
-                    const double tolerance = 3 * w * relativeNoise + footprint * std::sqrt(squared) + 1e-7 * w;
-                    const double residual = (*value - (a + gu * dx + gv * dy)) / tolerance;
-                    const double weight = std::exp(-squared / spread - residual * residual);
-                    const Eigen::Vector3d row(1, dx, dy);
-                    normal += weight * row * row.transpose();
-                    rhs += (weight * (*value - w)) * row;
+                for (int dx = -radius; dx <= radius; ++dx, ++tap) {
+                    if (!valid[tap]) continue;
+                    const auto u = static_cast<float>(dx);
+                    const auto v = static_cast<float>(dy);
+                    const float squared = u * u + v * v;
+                    const float tolerance = kLimit * w * (3 * relativeNoise + footprint * std::sqrt(squared) + 1e-7f);
+                    const float residual = (difference[tap] - (offset + gu * u + gv * v)) / tolerance;
+                    const float t = 1 - residual * residual;
+                    if (t <= 0) continue;
+                    const float k = t * t * std::exp(-squared * falloff);
+                    s += k;
+                    su += k * u;
+                    sv += k * v;
+                    suu += k * u * u;
+                    suv += k * u * v;
+                    svv += k * v * v;
+                    sw += k * difference[tap];
+                    suw += k * u * difference[tap];
+                    svw += k * v * difference[tap];
                 }
             }
-            // A thin line of pixels says nothing about the slope across it: keep the guess there.
-            const double regularization = 1e-4 * normal(0, 0) + 1e-12;
-            normal(1, 1) += regularization;
-            normal(2, 2) += regularization;
-            rhs += regularization * Eigen::Vector3d(0, gu, gv);
-            const Eigen::Vector3d solution = normal.ldlt().solve(rhs);
-            if (!solution.allFinite()) break;
-            a = w + solution[0];
-            gu = solution[1];
-            gv = solution[2];
+            if (s <= 0) break;
+            // About the mean; a thin line of pixels says nothing about the slope across it: keep the guess there.
+            const float regularization = 1e-4f * s;
+            const float cuu = suu - su * su / s + regularization;
+            const float cuv = suv - su * sv / s;
+            const float cvv = svv - sv * sv / s + regularization;
+            const float cuw = suw - su * sw / s + regularization * gu;
+            const float cvw = svw - sv * sw / s + regularization * gv;
+            const float determinant = cuu * cvv - cuv * cuv;
+            if (!(determinant > 0)) break;
+            gu = (cvv * cuw - cuv * cvw) / determinant;
+            gv = (cuu * cvw - cuv * cuw) / determinant;
+            offset = std::clamp((sw - gu * su - gv * sv) / s, -0.5f * w, w);
         }
-        a = std::clamp(a, 0.5 * w, 2 * w);
-        const double u = x + 0.5 - camera.cx;
-        const double v = y + 0.5 - camera.cy;
-        return {gu * camera.fx, gv * camera.fy, a - gu * u - gv * v};
+        const float u = static_cast<float>(x) + 0.5f - camera.cx;
+        const float v = static_cast<float>(y) + 0.5f - camera.cy;
+        return {gu * camera.fx, gv * camera.fy, w + offset - gu * u - gv * v};
     }
 };
 
@@ -111,13 +126,13 @@ struct NormalFit {
 ImageV3 computeNormals(const Camera& camera, const ImageF& depth, const LabelImage& labels, Side side,
                        float relativeNoise, const char* stepName, const StepContext& context, float from, float to) {
     ImageV3 normals(depth.width(), depth.height(), Vector3f::Zero());
-    const NormalFit fit{camera, depth, labels, windowRadius(camera, relativeNoise), relativeNoise};
-    const double sign = side == Side::Front ? -1 : 1;
+    const NormalFit fit(camera, depth, labels, relativeNoise);
+    const float sign = side == Side::Front ? -1.0f : 1.0f;
     parallelFor(
         context, stepName, depth.height(),
         [&](int y) {
             for (int x = 0; x < depth.width(); ++x)
-                if (depth(x, y) > 0) normals(x, y) = (sign * fit.fit(x, y).normalized()).cast<float>();
+                if (depth(x, y) > 0) normals(x, y) = sign * fit.fit(x, y).normalized();
         },
         from, to);
     return normals;

@@ -184,7 +184,15 @@ TEST(Geometry, LonePixelsAndLinesHaveFiniteNormals) {
 struct FilterTest : testing::Test {
     static ImageF filter(const core::Photo& photo, const ImageF& depth, float noise,
                          const core::DepthFilterParams& params = {}) {
-        return core::steps::filterDepth(depth, photo.color, photo.labels, params, noise, {});
+        core::steps::DepthNoise flat;
+        flat.deviation.cellsPerUnit = 1;
+        for (std::size_t i = 0; i < flat.deviation.sigma.size(); ++i)
+            flat.deviation.sigma[i] = noise * static_cast<float>(i);
+        flat.relative = noise;
+        return core::steps::filterDepth(depth, photo.color, photo.labels, photo.camera, params, flat, 1, {});
+    }
+    static float estimateNoise(const ImageF& depth, const core::LabelImage& labels) {
+        return core::steps::estimateDepthNoise(core::steps::inverseOf(depth), labels, 1, {}).relative;
     }
     static ImageF withNoise(const ImageF& depth, float sigma, unsigned seed) {
         std::mt19937 random(seed);
@@ -215,7 +223,7 @@ TEST_F(FilterTest, NoiseIsEstimatedAndReduced) {
     const core::Photo photo = test::stillLife(test::testCamera()).photograph();
     for (const float sigma : {0.0005f, 0.002f}) {
         const ImageF noisy = withNoise(photo.depth, sigma, 4);
-        const float estimated = core::steps::estimateRelativeNoise(noisy, photo.labels);
+        const float estimated = estimateNoise(noisy, photo.labels);
         EXPECT_NEAR(estimated, sigma, 0.2f * sigma);
         const ImageF filtered = filter(photo, noisy, estimated);
         EXPECT_LT(medianError(filtered, photo.depth), 0.5f * medianError(noisy, photo.depth));
@@ -226,13 +234,13 @@ TEST_F(FilterTest, QuantisationIsSeenAsNoise) {
     const core::Photo photo = test::stillLife(test::testCamera()).photograph();
     ImageF millimetres = photo.depth;
     for (float& z : millimetres.pixels()) z = std::round(z * 500) / 500;
-    EXPECT_NEAR(core::steps::estimateRelativeNoise(millimetres, photo.labels), 0.002f / std::sqrt(12.0f), 3e-4f);
-    EXPECT_LT(core::steps::estimateRelativeNoise(photo.depth, photo.labels), 2e-5f);
+    EXPECT_NEAR(estimateNoise(millimetres, photo.labels), 0.002f / std::sqrt(12.0f), 3e-4f);
+    EXPECT_LT(estimateNoise(photo.depth, photo.labels), 2e-5f);
 }
 
 TEST_F(FilterTest, ExactDepthIsKept) {
     const core::Photo photo = ball(0.25).photograph();
-    const float noise = core::steps::estimateRelativeNoise(photo.depth, photo.labels);
+    const float noise = estimateNoise(photo.depth, photo.labels);
     EXPECT_LT(medianError(filter(photo, photo.depth, noise), photo.depth), 1e-4f);
 }
 
