@@ -13,6 +13,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/completeness.h"
+#include "core/io/deep_exr.h"
 
 namespace core {
 
@@ -187,7 +188,7 @@ void ImageReader::checkHeader() const {
     checkSize(spec_.width, spec_.height);
     checkSize(spec_.full_width, spec_.full_height);
     if (spec_.depth > 1) fail("it is a volume of depth " + std::to_string(spec_.depth) + ", expected a flat image");
-    if (spec_.deep) fail("it is a deep image (several samples per pixel), expected a flat one");
+    if (spec_.deep && path_.empty()) fail("it is a deep image (several samples per pixel), expected a flat one");
     if (spec_.nchannels < 1 || spec_.nchannels > kMaxChannels)
         fail("it has " + std::to_string(spec_.nchannels) + " channels, expected 1 to " + std::to_string(kMaxChannels));
     const auto bytes = static_cast<std::size_t>(spec_.image_bytes(true));
@@ -229,6 +230,16 @@ bool ImageReader::dataFillsDisplay() const {
 }
 
 void ImageReader::readRegion(int channelBegin, int channelEnd, float* target) {
+    if (spec_.deep) {
+        try {
+            const std::vector<std::string> names(spec_.channelnames.begin() + channelBegin,
+                                                 spec_.channelnames.begin() + channelEnd);
+            std::ranges::copy(flattenDeepExr(path_, input_->current_subimage(), names), target);
+        } catch (const std::exception& error) {
+            fail(error.what());
+        }
+        return;
+    }
     if (!input_->read_image(input_->current_subimage(), 0, channelBegin, channelEnd, OIIO::TypeFloat, target))
         fail(input_->geterror());
 }

@@ -13,7 +13,8 @@
 
 namespace core {
 
-/// One opened image file whose header has been checked: known format (by content, not by name), sane size, flat pixels.
+/// One opened image file whose header has been checked: known format (by content, not by name), sane size.
+/// Deep EXR images are flattened.
 /// Used by image_io.cpp only; every failure is an Error(Input) that names the file.
 class ImageReader {
   public:

@@ -60,7 +60,9 @@ struct ImportFormat {
 
 /// The import formats, one a line, in the order in which they are asked. `X` is a constant defined in a file of its
 /// own.
-#define PATINA_IMPORT_FORMATS(X) X(exrDepthFormat)
+#define PATINA_IMPORT_FORMATS(X) \
+    X(exrDepthFormat)            \
+    X(pcdFormat)
 
 #define PATINA_DECLARE(format) extern const ImportFormat format;
 PATINA_IMPORT_FORMATS(PATINA_DECLARE)
