@@ -3,30 +3,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
+
+#include "core/io/tiff_bytes.h"
 
 namespace core {
 
 namespace {
-
-/// Integers of a TIFF file, in its byte order; nullopt beyond the end.
-class TiffBytes {
-  public:
-    TiffBytes(std::string_view bytes, bool bigEndian) : bytes_(bytes), bigEndian_(bigEndian) {}
-    [[nodiscard]] std::optional<std::uint64_t> integer(std::uint64_t at, std::uint64_t size) const {
-        if (at > bytes_.size() || size > bytes_.size() - at) return std::nullopt;
-        std::uint64_t value = 0;
-        for (std::uint64_t i = 0; i < size; ++i) {
-            const std::uint64_t position = bigEndian_ ? at + i : at + size - 1 - i;
-            value = value << 8U | static_cast<unsigned char>(bytes_[position]);
-        }
-        return value;
-    }
-
-  private:
-    std::string_view bytes_;
-    bool bigEndian_;
-};
 
 /// Values of one directory entry.
 struct TiffArray {
@@ -79,7 +61,7 @@ bool jpegIsComplete(std::string_view bytes) {
 }
 
 bool tiffIsComplete(std::string_view bytes) {
-    const TiffBytes file(bytes, bytes.starts_with("MM"));
+    const TiffBytes file(bytes);
     const bool big = file.integer(2, 2) == 43U;
     const std::uint64_t word = big ? 8 : 4;  // bytes of an offset
     const auto directory = file.integer(big ? 8 : 4, word);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/camera.h"
 #include "core/image.h"
 
 namespace core {
@@ -23,6 +24,18 @@ template <class T>
             displayed(x, y) = stored(mirrorX ? w - 1 - u : u, mirrorY ? h - 1 - v : v);
         }
     return displayed;
+}
+
+/// The camera of the displayed raster, from that of the stored one.
+[[nodiscard]] inline Camera orientCamera(const Camera& stored, int orientation) {
+    if (orientation <= 1 || orientation > 8) return stored;
+    const bool mirrorX = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
+    const bool mirrorY = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+    Camera turned = stored;
+    if (mirrorX) turned.cx = static_cast<float>(stored.width) - stored.cx;
+    if (mirrorY) turned.cy = static_cast<float>(stored.height) - stored.cy;
+    if (orientation < 5) return turned;
+    return {turned.height, turned.width, turned.fy, turned.fx, turned.cy, turned.cx};
 }
 
 }  // namespace core

@@ -62,6 +62,10 @@ struct ImportFormat {
 /// own.
 #define PATINA_IMPORT_FORMATS(X) \
     X(exrDepthFormat)            \
+    X(jpegGdepthFormat)          \
+    X(jpegXdmFormat)             \
+    X(jpegMpfFormat)             \
+    X(heifDepthFormat)           \
     X(pcdFormat)
 
 #define PATINA_DECLARE(format) extern const ImportFormat format;

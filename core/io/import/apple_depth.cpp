@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/import/apple_depth.h"
+
+#include <cmath>
+
+#include "core/io/image_io.h"
+#include "core/io/orientation.h"
+
+namespace core {
+
+namespace {
+
+constexpr const char* kPixels = "http://ns.apple.com/pixeldatainfo/1.0/";
+constexpr const char* kDepth = "http://ns.apple.com/depthData/1.0/";
+
+/// The matrix is stored column by column.
+std::optional<Camera> readCamera(const Xmp& xmp) {
+    const std::vector<double> m = xmp.numbers(kDepth, "IntrinsicMatrix");
+    const auto width = xmp.number(kDepth, "IntrinsicMatrixReferenceWidth");
+    const auto height = xmp.number(kDepth, "IntrinsicMatrixReferenceHeight");
+    if (m.size() != 9 || !width || !height) return std::nullopt;
+    if (!(*width >= 1 && *width <= kMaxImageSide && *height >= 1 && *height <= kMaxImageSide)) return std::nullopt;
+    return Camera{static_cast<int>(*width), static_cast<int>(*height), static_cast<float>(m[0]),
+                  static_cast<float>(m[4]), static_cast<float>(m[6]),  static_cast<float>(m[7])};
+}
+
+}  // namespace
+
+std::optional<AppleDepth> readAppleDepth(const ImportFile& file, const Xmp& xmp) {
+    const auto type = xmp.text(kPixels, "AuxiliaryImageType");
+    if (type != "disparity" && type != "depth") return std::nullopt;
+    AppleDepth apple;
+    if (type == "depth") apple.kind = DepthKind::Z;
+    const auto least = xmp.number(kPixels, "FloatMinValue");
+    const auto most = xmp.number(kPixels, "FloatMaxValue");
+    if (!least || !most || !std::isfinite(*least) || !std::isfinite(*most) || !(*most > *least))
+        file.fail("its " + *type + " image has no range, expected FloatMinValue < FloatMaxValue in the XMP");
+    apple.least = *least;
+    apple.most = *most;
+    apple.leastStored = xmp.number(kPixels, "IntMinValue").value_or(0);
+    apple.mostStored = xmp.number(kPixels, "IntMaxValue").value_or(255);
+    if (!(apple.mostStored > apple.leastStored))
+        file.fail("its " + *type + " image has integers from IntMinValue " + std::to_string(apple.leastStored) +
+                  " to IntMaxValue " + std::to_string(apple.mostStored) + ", expected a range");
+    apple.camera = readCamera(xmp);
+    apple.relative = xmp.text(kDepth, "Accuracy") == "relative";
+    return apple;
+}
+
+void setAppleDepth(ImportedPhoto& photo, const ImportFile& file, const AppleDepth& apple, ImageF stored,
+                   int orientation) {
+    const double scale = (apple.most - apple.least) / (apple.mostStored - apple.leastStored);
+    for (float& value : stored.pixels())
+        value = static_cast<float>(apple.least + (static_cast<double>(value) - apple.leastStored) * scale);
+    photo.depth = std::move(stored);
+    photo.kind = apple.kind;
+    if (apple.relative)
+        photo.remarks.push_back("The camera states the depth inside \"" + file.path() +
+                                "\" as \"relative\": its scale is approximate.");
+    if (!apple.camera) return;
+    const Camera turned = orientCamera(*apple.camera, orientation);
+    const float sx = static_cast<float>(photo.color.width()) / static_cast<float>(turned.width);
+    const float sy = static_cast<float>(photo.color.height()) / static_cast<float>(turned.height);
+    photo.camera = Camera{photo.color.width(), photo.color.height(), turned.fx * sx,
+                          turned.fy * sy,      turned.cx * sx,       turned.cy * sy};
+}
+
+}  // namespace core

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/image.h"
+#include "core/io/image_io.h"
+#include "core/io/import/import_format.h"
+
+namespace core {
+
+/// An image in base64 inside `file`. `what` names it: `the depth map`. Throws Error(Input) when it is no base64.
+[[nodiscard]] EmbeddedImage embeddedImage(const ImportFile& file, const std::string& base64, const std::string& what);
+
+/// How Google's depth maps and XDM store a range [Near, Far] in integers.
+struct DepthRange {
+    std::string format;  ///< RangeLinear or RangeInverse
+    std::optional<double> near;
+    std::optional<double> far;
+};
+
+/// A depth image whose integers fill `range`, as depths in the unit of `range`. It is turned by `orientation`, unless
+/// it says itself how it is oriented. Throws Error(Input).
+[[nodiscard]] ImageF decodeRange(const ImportFile& file, const EmbeddedImage& image, const DepthRange& range,
+                                 int orientation);
+
+}  // namespace core

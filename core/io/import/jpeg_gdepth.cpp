@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Google's depth maps in the XMP of a JPEG (Lens Blur, portrait modes): properties Format, Near, Far and Data.
+#include "core/io/image_io.h"
+#include "core/io/import/embedded_depth.h"
+#include "core/io/import/import_format.h"
+#include "core/io/import/xmp.h"
+#include "core/io/orientation.h"
+
+namespace core {
+
+namespace {
+
+constexpr const char* kDepth = "http://ns.google.com/photos/1.0/depthmap/";
+constexpr const char* kImage = "http://ns.google.com/photos/1.0/image/";
+
+bool recognises(const ImportFile& file) {
+    return file.head().starts_with("\xff\xd8\xff") && readJpegXmp(file.bytes()).text(kDepth, "Format");
+}
+
+/// The picture before the camera's artificial blur when it is there, else the picture of the JPEG.
+ImageRgb readColor(const ImportFile& file, const Xmp& xmp, int orientation) {
+    const auto sharp = xmp.text(kImage, "Data");
+    if (!sharp) return loadColor(file.path());
+    EmbeddedImage image = embeddedImage(file, *sharp, "the sharp picture");
+    const bool turned = readImageInfo(image).orientation != 1;
+    return applyOrientation(loadColor(std::move(image)), turned ? 1 : orientation);
+}
+
+ImportedPhoto read(const ImportFile& file) {
+    std::string damage;
+    const Xmp xmp = readJpegXmp(file.bytes(), &damage);
+    const auto data = xmp.text(kDepth, "Data");
+    if (!data)
+        file.fail(damage.empty() ? "its XMP has no GDepth:Data, expected the depth map that GDepth:Format announces"
+                                 : damage);
+    const ImageInfo info = readImageInfo(file.path());
+    ImportedPhoto photo;
+    photo.orientation = info.orientation;
+    photo.focal35mm = info.focal35mm;
+    photo.color = readColor(file, xmp, info.orientation);
+    photo.depth =
+        decodeRange(file, embeddedImage(file, *data, "the depth map"),
+                    {xmp.text(kDepth, "Format").value_or(""), xmp.number(kDepth, "Near"), xmp.number(kDepth, "Far")},
+                    info.orientation);
+    photo.kind = xmp.text(kDepth, "MeasureType") == "OpticRay" ? DepthKind::Distance : DepthKind::Z;
+    const auto unit = xmp.text(kDepth, "Units");
+    if (unit == "mm") photo.unit = 0.001;
+    if (unit != "mm" && unit != "m")
+        photo.assumedUnit = "The depth inside \"" + file.path() +
+                            "\" has no unit: 1 is taken as a metre. Give the metres per unit to set the true scale.";
+    return photo;
+}
+
+}  // namespace
+
+const ImportFormat jpegGdepthFormat{"a Google depth map (GDepth) in a JPEG", recognises, read};
+
+}  // namespace core
