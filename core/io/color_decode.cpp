@@ -2,6 +2,8 @@
 #include "core/io/color_decode.h"
 
 #include <lcms2.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,18 +58,18 @@ bool decodeIcc(std::span<Vector3f> pixels, std::span<const unsigned char> profil
     if (!transform) return false;
 
     constexpr std::size_t kBlock = 4096;
-    std::vector<float> in(kBlock * 3);
-    std::vector<float> out(kBlock * 3);
-    for (std::size_t begin = 0; begin < pixels.size(); begin += kBlock) {
-        const std::span<Vector3f> block = pixels.subspan(begin, std::min(kBlock, pixels.size() - begin));
-        std::size_t n = 0;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels.size(), kBlock), [&](const auto& range) {
+        std::vector<float> in;
+        std::vector<float> out(range.size() * 3);
+        in.reserve(out.size());
+        const std::span<Vector3f> block = pixels.subspan(range.begin(), range.size());
         for (const Vector3f& p : block)
-            for (int c = 0; c < (grey ? 1 : 3); ++c) in[n++] = p[c];
+            for (int c = 0; c < (grey ? 1 : 3); ++c) in.push_back(p[c]);
         cmsDoTransform(transform.get(), in.data(), out.data(), static_cast<cmsUInt32Number>(block.size()));
-        n = 0;
+        std::size_t n = 0;
         for (Vector3f& p : block)
             for (int c = 0; c < 3; ++c) p[c] = out[n++];
-    }
+    });
     return true;
 }
 
