@@ -879,8 +879,8 @@
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Patina projects (*.patina);;All files (*)</source>
-        <translation>Patina-Projekte (*.patina);;Alle Dateien (*)</translation>
+        <source>Projects and photographs (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.pcd);;Patina projects (*.patina);;All files (*)</source>
+        <translation>Projekte und Fotos (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.pcd);;Patina-Projekte (*.patina);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Save as</source>
@@ -1053,6 +1053,10 @@
         <translation>Gewicht der neuen Oberfläche</translation>
     </message>
     <message>
+        <source>Photographs (*.exr *.png *.jpg *.jpeg *.heic *.heif *.tif *.tiff *.hdr *.pfm *.pcd);;All files (*)</source>
+        <translation>Fotos (*.exr *.png *.jpg *.jpeg *.heic *.heif *.tif *.tiff *.hdr *.pfm *.pcd);;Alle Dateien (*)</translation>
+    </message>
+    <message>
         <source>Photograph</source>
         <translation>Foto</translation>
     </message>
@@ -1176,8 +1180,8 @@
         <translation>Tiefe</translation>
     </message>
     <message>
-        <source>A depth map of the same view</source>
-        <translation>Eine Tiefenkarte derselben Ansicht</translation>
+        <source>A depth map of the same view; leave it empty when the photograph carries its depth (phones&apos; portrait photos, EXR with a channel Z, point clouds)</source>
+        <translation>Eine Tiefenkarte derselben Ansicht; leer lassen, wenn das Foto seine Tiefe selbst enthält (Porträtfotos von Telefonen, EXR mit einem Kanal Z, Punktwolken)</translation>
     </message>
     <message>
         <source>What the numbers in the depth file mean</source>
@@ -1204,8 +1208,8 @@
         <translation>Tiefe ist</translation>
     </message>
     <message>
-        <source>Metres per stored unit; automatic is 1 for floating point files, 0.001 for 16-bit ones</source>
-        <translation>Meter je gespeicherter Einheit; automatisch ist 1 bei Gleitkommadateien, 0,001 bei 16 Bit</translation>
+        <source>Metres per stored unit; automatic is what the photograph says, else 1 for floating point files, 0.001 for 16-bit ones</source>
+        <translation>Meter je gespeicherter Einheit; automatisch gilt, was das Foto angibt, sonst 1 bei Gleitkommadateien, 0,001 bei 16 Bit</translation>
     </message>
     <message>
         <source>automatic</source>

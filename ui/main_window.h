@@ -95,7 +95,8 @@ class MainWindow : public QMainWindow {
     void endTask();
     /// Calls `proceed` at once, or after the user has decided what becomes of unsaved changes.
     void confirmDiscard(std::function<void()> proceed);
-    void openScene(const QString& title, std::function<core::Scene()> load, const QString& path);
+    void openScene(const QString& title, std::function<core::Scene(std::vector<std::string>*)> load,
+                   const QString& path);
     void addRecent(const QString& path);
     void refreshRecent();
     void readSettings();

@@ -25,6 +25,7 @@ namespace ui {
 namespace {
 constexpr int kRecentCount = 10;
 const char* const kRecentKey = "recentFiles";
+constexpr int kNotesMilliseconds = 15000;
 }  // namespace
 
 void MainWindow::runTask(const QString& title, BackgroundTask::Work work, std::function<void()> succeeded) {
@@ -91,28 +92,31 @@ void MainWindow::confirmDiscard(std::function<void()> proceed) {
 
 void MainWindow::openFile(const QString& path) {
     const QString suffix = QFileInfo(path).suffix().toLower();
-    static const QStringList kPictures = {"exr", "png", "jpg", "jpeg", "tif", "tiff", "hdr"};
+    static const QStringList kPictures = {"exr", "png", "jpg",  "jpeg", "tif", "tiff",
+                                          "hdr", "pfm", "heic", "heif", "pcd"};
     if (kPictures.contains(suffix)) {
         chooseNew(path);
         return;
     }
     confirmDiscard([this, path] {
         openScene(
-            tr("Opening %1").arg(QFileInfo(path).fileName()), [path] { return core::loadProject(path.toStdString()); },
-            path);
+            tr("Opening %1").arg(QFileInfo(path).fileName()),
+            [path](std::vector<std::string>* notes) { return core::loadProject(path.toStdString(), notes); }, path);
     });
 }
 
 void MainWindow::createFrom(const core::CreateOptions& options) {
     confirmDiscard([this, options] {
         openScene(tr("Reading %1").arg(QFileInfo(QString::fromStdString(options.color)).fileName()),
-                  [options] { return core::createScene(options); }, {});
+                  [options](std::vector<std::string>* notes) { return core::createScene(options, notes); }, {});
     });
 }
 
-void MainWindow::openScene(const QString& title, std::function<core::Scene()> load, const QString& path) {
+void MainWindow::openScene(const QString& title, std::function<core::Scene(std::vector<std::string>*)> load,
+                           const QString& path) {
     struct Loaded {
         core::Scene scene;
+        std::vector<std::string> notes;
         std::shared_ptr<const CanvasPicture> original;
     };
     auto loaded = std::make_shared<Loaded>();
@@ -120,7 +124,7 @@ void MainWindow::openScene(const QString& title, std::function<core::Scene()> lo
         title,
         [loaded, load = std::move(load)](const core::StepContext& context) {
             context.checkpoint({}, 0);
-            loaded->scene = load();
+            loaded->scene = load(&loaded->notes);
             context.checkpoint({}, 0.7f);
             loaded->original = makeCanvasPicture({loaded->scene.photo->color, false});
             context.checkpoint({}, 1);
@@ -130,6 +134,9 @@ void MainWindow::openScene(const QString& title, std::function<core::Scene()> lo
             canvas_->setOriginal(loaded->original);
             refreshLayerPicture();
             if (!path.isEmpty()) addRecent(path);
+            QStringList notes;
+            for (const std::string& note : loaded->notes) notes << QString::fromStdString(note);
+            if (!notes.isEmpty()) statusBar()->showMessage(notes.join(' '), kNotesMilliseconds);
         });
 }
 
@@ -143,7 +150,9 @@ void MainWindow::chooseNew(const QString& colorFile) {
 
 void MainWindow::chooseOpen() {
     const QString path =
-        QFileDialog::getOpenFileName(this, tr("Open"), {}, tr("Patina projects (*.patina);;All files (*)"));
+        QFileDialog::getOpenFileName(this, tr("Open"), {},
+                                     tr("Projects and photographs (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.pcd);;"
+                                        "Patina projects (*.patina);;All files (*)"));
     if (!path.isEmpty()) openFile(path);
 }
 

@@ -20,9 +20,15 @@ NewPhotoDialog::NewPhotoDialog(QWidget* parent) : QDialog(parent) {
     setMinimumWidth(520);
     auto* form = new QFormLayout;
     const QString pictures = tr("Pictures (*.exr *.png *.jpg *.jpeg *.tif *.tiff *.hdr *.pfm);;All files (*)");
+    const QString photographs =
+        tr("Photographs (*.exr *.png *.jpg *.jpeg *.heic *.heif *.tif *.tiff *.hdr *.pfm *.pcd);;All files (*)");
     color_ = addFileRow(*form, QStringLiteral("newColor"), tr("Photograph"),
-                        tr("The colour picture; EXR and HDR are taken as linear light"), pictures);
-    depth_ = addFileRow(*form, QStringLiteral("newDepth"), tr("Depth"), tr("A depth map of the same view"), pictures);
+                        tr("The colour picture; EXR and HDR are taken as linear light"), photographs);
+    depth_ = addFileRow(
+        *form, QStringLiteral("newDepth"), tr("Depth"),
+        tr("A depth map of the same view; leave it empty when the photograph carries its depth (phones' portrait "
+           "photos, EXR with a channel Z, point clouds)"),
+        pictures);
     depthKind_ = new QComboBox(this);
     depthKind_->setObjectName(QStringLiteral("newDepthKind"));
     depthKind_->setToolTip(tr("What the numbers in the depth file mean"));
@@ -34,7 +40,8 @@ NewPhotoDialog::NewPhotoDialog(QWidget* parent) : QDialog(parent) {
     depthUnit_ = new QDoubleSpinBox(this);
     depthUnit_->setObjectName(QStringLiteral("newDepthUnit"));
     depthUnit_->setToolTip(
-        tr("Metres per stored unit; automatic is 1 for floating point files, 0.001 for 16-bit ones"));
+        tr("Metres per stored unit; automatic is what the photograph says, else 1 for floating point files, 0.001 for "
+           "16-bit ones"));
     depthUnit_->setRange(0, 1000);
     depthUnit_->setDecimals(6);
     depthUnit_->setSpecialValueText(tr("automatic"));

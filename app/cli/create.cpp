@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/cli/session.h"
+#include "core/io/import/import_format.h"
 #include "core/io/project.h"
 
 namespace cli {
@@ -20,6 +21,13 @@ struct Arguments {
     std::string output;
 };
 
+/// Where a photograph may carry its depth, a line each.
+std::string depthInside() {
+    std::string text;
+    for (const core::ImportFormat* format : core::importFormats()) text += "\n  " + std::string(format->name);
+    return text;
+}
+
 }  // namespace
 
 void addCreate(CLI::App& app, Session& session) {
@@ -29,14 +37,17 @@ void addCreate(CLI::App& app, Session& session) {
     command->footer(
         "Images: EXR, PNG, TIFF, JPEG, PFM, HDR. Depth and segments may be smaller than the photograph if their shape "
         "is\n"
-        "the same. Without --intrinsics and --hfov the focal length comes from the photograph's EXIF data; without "
-        "that,\n"
-        "60 degrees are assumed.\n\n"
+        "the same. A photograph may carry its depth:" +
+        depthInside() +
+        ".\n"
+        "Without --intrinsics and --hfov the photograph's own intrinsics are used, else the focal length of its EXIF "
+        "data;\n"
+        "without that, 60 degrees are assumed.\n\n"
         "Example:\n"
         "  patina-cli create --color desk.jpg --depth desk_mm.png --segments desk_labels.png --glossy 2,5 \\\n"
         "      --hfov 66 -o desk.patina");
     command->add_option("--color", args->options.color, "Photograph")->required()->type_name("FILE");
-    command->add_option("--depth", args->options.depth, "Depth map; not needed for an EXR with a channel Z")
+    command->add_option("--depth", args->options.depth, "Depth map; not needed when the photograph carries its depth")
         ->type_name("FILE");
     command
         ->add_option("--depth-kind", args->depthKind,
@@ -44,10 +55,12 @@ void addCreate(CLI::App& app, Session& session) {
         ->type_name("KIND")
         ->check(CLI::IsMember({"z", "distance", "disparity", "inverse"}))
         ->capture_default_str();
-    CLI::Option* unit = command
-                            ->add_option("--depth-unit", args->depthUnit,
-                                         "Metres per stored unit [default: 1 for floating point, 0.001 for 16 bit]")
-                            ->type_name("METRES");
+    CLI::Option* unit =
+        command
+            ->add_option("--depth-unit", args->depthUnit,
+                         "Metres per stored unit [default: what the photograph says; else 1 for floating "
+                         "point, 0.001 for 16 bit]")
+            ->type_name("METRES");
     CLI::Option* intrinsics =
         command->add_option("--intrinsics", args->intrinsics, "Focal lengths and principal point in pixels")
             ->type_name("FX,FY,CX,CY");

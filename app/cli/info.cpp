@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "app/cli/session.h"
+#include "core/io/import/import_format.h"
 #include "core/io/project.h"
 
 namespace cli {
@@ -50,6 +51,9 @@ ordered_json describe(const core::Scene& scene, const std::string& project) {
     result["depth"] = describeDepth(photo.depth);
     result["depth"]["kind"] = core::depthKindKey(photo.source.depthKind);
     result["depth"]["unit"] = photo.source.depthUnit;
+    if (photo.source.depth.empty())
+        if (const core::ImportFormat* format = core::findImportFormat(core::ImportFile(photo.source.color)))
+            result["depth"]["inside"] = format->name;
     std::map<std::uint16_t, std::size_t> pixels;
     std::map<std::uint16_t, std::size_t> withDepth;
     for (std::size_t i = 0; i < photo.labels.size(); ++i) {
@@ -83,10 +87,10 @@ void printText(const ordered_json& info) {
     std::printf("%s\n", text(info["project"]).c_str());
     std::printf("  photograph   %s, %dx%d\n", text(info["files"]["color"]).c_str(), info["width"].get<int>(),
                 info["height"].get<int>());
+    const ordered_json& depthFile = info["depth"].contains("inside") ? info["depth"]["inside"] : info["files"]["depth"];
     std::printf("  depth        %s, %.4g to %.4g m (median %.4g m), valid in %.1f %% of the pixels\n",
-                text(info["files"]["depth"]).c_str(), info["depth"]["min"].get<double>(),
-                info["depth"]["max"].get<double>(), info["depth"]["median"].get<double>(),
-                100 * info["depth"]["valid_fraction"].get<double>());
+                text(depthFile).c_str(), info["depth"]["min"].get<double>(), info["depth"]["max"].get<double>(),
+                info["depth"]["median"].get<double>(), 100 * info["depth"]["valid_fraction"].get<double>());
     std::printf("  camera       fx %g, fy %g, cx %g, cy %g px (%.1f degrees wide)\n",
                 info["intrinsics"]["fx"].get<double>(), info["intrinsics"]["fy"].get<double>(),
                 info["intrinsics"]["cx"].get<double>(), info["intrinsics"]["cy"].get<double>(),

@@ -185,6 +185,25 @@ class InputTest(CliTest):
 
 
 class WorkTest(CliTest):
+    def test_photograph_that_carries_its_depth(self):
+        width, height, focal = 24, 16, 30
+        with open(self.path("cloud.pcd"), "w") as file:
+            file.write("VERSION 0.7\nFIELDS x y z rgba\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\nWIDTH %d\nHEIGHT %d\n"
+                       "DATA ascii\n" % (width, height))
+            for y in range(height):
+                for x in range(width):
+                    z = 2 + 0.01 * x
+                    file.write("%.9g %.9g %.9g %d\n" % ((x + 0.5 - 12) / focal * z, (y + 0.5 - 8) / focal * z, z, 0x8090A0))
+        result = self.run_cli("create", "--color", self.path("cloud.pcd"), "-o", self.path("c.patina"))
+        self.assertIn("intrinsics are taken from", result.stderr)
+        info = json.loads(self.run_cli("info", self.path("c.patina"), "--json").stdout)
+        self.assertIn("PCD", info["depth"]["inside"])
+        self.assertEqual((info["width"], info["height"]), (width, height))
+        self.assertAlmostEqual(info["intrinsics"]["fx"], focal, places=3)
+        self.assertAlmostEqual(info["depth"]["max"], 2.23, places=5)
+        self.assertIn("PCD", self.run_cli("info", self.path("c.patina")).stdout)
+        self.assertIn("HEIC", self.run_cli("create", "--help").stdout)
+
     def test_create_and_info(self):
         project = self.small_project()
         result = self.run_cli("info", project, "--json")
