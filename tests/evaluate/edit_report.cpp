@@ -7,6 +7,7 @@
 
 #include "core/io/image_io.h"
 #include "core/render/renderer.h"
+#include "tests/evaluate/device.h"
 #include "tests/evaluate/markdown.h"
 #include "tests/evaluate/metrics.h"
 
@@ -40,8 +41,8 @@ Json toJson(const Metrics& m) {
 
 }  // namespace
 
-EditPictures renderEdit(const SceneFolder& folder, const Edit& edit, core::AnalysisPipeline& pipeline,
-                        const gpu::Device& device) {
+EditPictures renderEdit(const SceneFolder& folder, const Edit& edit, core::AnalysisPipeline& pipeline) {
+    const gpu::Device device = newDevice();
     core::Scene scene = folder.scene;
     scene.findSegment(edit.label)->edit = edit.material;
     EditPictures pictures;

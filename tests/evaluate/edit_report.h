@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/pipeline.h"
-#include "gpu/device.h"
 #include "tests/evaluate/scene_folder.h"
 
 namespace evaluate {
@@ -17,8 +16,7 @@ struct EditPictures {
 };
 
 /// Renders one edit of a scene with the scene's number of samples.
-[[nodiscard]] EditPictures renderEdit(const SceneFolder& folder, const Edit& edit, core::AnalysisPipeline& pipeline,
-                                      const gpu::Device& device);
+[[nodiscard]] EditPictures renderEdit(const SceneFolder& folder, const Edit& edit, core::AnalysisPipeline& pipeline);
 
 /// PSNR, SSIM, relative MSE and mean of each picture inside the edited segment eroded by one pixel.
 [[nodiscard]] Json editReport(const SceneFolder& folder, const Edit& edit, const EditPictures& pictures);

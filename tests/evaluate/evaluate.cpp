@@ -12,9 +12,8 @@
 
 #include "core/io/image_io.h"
 #include "core/pipeline.h"
-#include "gpu/adapter.h"
-#include "gpu/instance.h"
 #include "tests/evaluate/analysis_report.h"
+#include "tests/evaluate/device.h"
 #include "tests/evaluate/edit_report.h"
 #include "tests/evaluate/metrics.h"
 #include "tests/evaluate/speed_report.h"
@@ -30,6 +29,7 @@ struct Options {
     std::string output = "evaluation";
     std::vector<std::string> parts = {"analysis", "speed", "edits"};
     std::string scene;
+    std::string edit;
     int samples = 64;
     std::string commit = "unknown";
 
@@ -43,14 +43,15 @@ void addOptions(CLI::App& app, Options& options) {
         ->delimiter(',')
         ->check(CLI::IsMember({"analysis", "speed", "edits"}));
     app.add_option("--scene", options.scene, "Only the scene or photo of this name");
+    app.add_option("--edit", options.edit, "Only the edit of this name");
     app.add_option("--samples", options.samples, "Paths per pixel of the edits")->check(CLI::PositiveNumber);
     app.add_option("--commit", options.commit, "Version that the report names");
 }
 
 void progress(const std::string& message) { std::cerr << message << std::endl; }
 
-Json run(const Options& options, const gpu::Device& device) {
-    Json evaluation = {{"commit", options.commit},   {"device", device.adapterInfo().name},
+Json run(const Options& options) {
+    Json evaluation = {{"commit", options.commit},   {"device", evaluate::newDevice().adapterInfo().name},
                        {"samples", options.samples}, {"analysis", Json::array()},
                        {"edits", Json::array()},     {"speed", Json::array()}};
     const std::vector<fs::path> folders = evaluate::findSceneFolders(options.root);
@@ -60,8 +61,7 @@ Json run(const Options& options, const gpu::Device& device) {
         folder.scene.render.samples = options.samples;
         if (options.has("speed")) {
             progress(folder.name + ": speed");
-            for (Json& report : evaluate::speedReports(folder, device))
-                evaluation["speed"].push_back(std::move(report));
+            for (Json& report : evaluate::speedReports(folder)) evaluation["speed"].push_back(std::move(report));
         }
         core::AnalysisPipeline pipeline;
         if (options.has("analysis")) {
@@ -70,8 +70,9 @@ Json run(const Options& options, const gpu::Device& device) {
         }
         if (!options.has("edits")) continue;
         for (const evaluate::Edit& edit : folder.edits) {
+            if (!options.edit.empty() && edit.name != options.edit) continue;
             progress(folder.name + ": " + edit.name);
-            const evaluate::EditPictures pictures = evaluate::renderEdit(folder, edit, pipeline, device);
+            const evaluate::EditPictures pictures = evaluate::renderEdit(folder, edit, pipeline);
             evaluation["edits"].push_back(evaluate::editReport(folder, edit, pictures));
         }
     }
@@ -108,8 +109,7 @@ int main(int argc, char** argv) {
     }
     try {
         fs::create_directories(options.output);
-        const gpu::Device device = gpu::Instance::create().requestAdapter({}).requestDevice({.label = "evaluate"});
-        const Json evaluation = run(options, device);
+        const Json evaluation = run(options);
         const std::string text = markdown(evaluation);
         std::ofstream(fs::path(options.output) / "evaluation.md") << text;
         std::ofstream(fs::path(options.output) / "evaluation.json") << evaluation.dump(1) << "\n";

@@ -8,6 +8,7 @@
 
 #include "core/render/bench.h"
 #include "tests/evaluate/analysis_report.h"
+#include "tests/evaluate/device.h"
 #include "tests/evaluate/markdown.h"
 
 namespace evaluate {
@@ -116,7 +117,8 @@ core::Scene enlargedTo(const core::Scene& scene, double megapixels) {
 
 }  // namespace
 
-std::vector<Json> speedReports(const SceneFolder& folder, const gpu::Device& device) {
+std::vector<Json> speedReports(const SceneFolder& folder) {
+    const gpu::Device device = newDevice();
     std::vector<Json> reports;
     const core::Camera& camera = folder.scene.photo->camera;
     if (camera.width == 1024 && camera.height == 1024) {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "gpu/device.h"
 #include "tests/evaluate/scene_folder.h"
 
 namespace evaluate {
@@ -13,7 +12,7 @@ namespace evaluate {
 /// How long every step of the analysis of a scene takes, and this process's peak memory meanwhile, as `patina-cli bench
 /// analyse` measures them. Cases with a target have "limit_seconds" and "limit_bytes": two glossy segments at 1024²,
 /// and 12 megapixels (the studio, enlarged).
-[[nodiscard]] std::vector<Json> speedReports(const SceneFolder& folder, const gpu::Device& device);
+[[nodiscard]] std::vector<Json> speedReports(const SceneFolder& folder);
 
 /// Table of all cases, as Markdown.
 void printSpeed(std::ostream& out, const Json& reports);
