@@ -13,9 +13,12 @@
 #include "core/io/image_io.h"
 #include "core/pipeline.h"
 #include "tests/evaluate/analysis_report.h"
+#include "tests/evaluate/contact_sheet.h"
 #include "tests/evaluate/device.h"
 #include "tests/evaluate/edit_report.h"
 #include "tests/evaluate/metrics.h"
+#include "tests/evaluate/photo_report.h"
+#include "tests/evaluate/sheets.h"
 #include "tests/evaluate/speed_report.h"
 #include "tests/evaluate/targets.h"
 
@@ -27,10 +30,11 @@ using evaluate::Json;
 struct Options {
     std::string root;
     std::string output = "evaluation";
-    std::vector<std::string> parts = {"analysis", "speed", "edits"};
+    std::vector<std::string> parts = {"analysis", "speed", "edits", "photos"};
     std::string scene;
     std::string edit;
     int samples = 64;
+    evaluate::PhotoOptions photos;
     std::string commit = "unknown";
 
     [[nodiscard]] bool has(const char* part) const { return std::ranges::find(parts, part) != parts.end(); }
@@ -39,21 +43,44 @@ struct Options {
 void addOptions(CLI::App& app, Options& options) {
     app.add_option("folder", options.root, "Folder of reference data (default: PATINA_REFERENCE_DATA)");
     app.add_option("-o,--output", options.output, "Folder for evaluation.md, evaluation.json and pictures");
-    app.add_option("--only", options.parts, "Parts to run: analysis, speed, edits")
+    app.add_option("--only", options.parts, "Parts to run: analysis, speed, edits, photos")
         ->delimiter(',')
-        ->check(CLI::IsMember({"analysis", "speed", "edits"}));
+        ->check(CLI::IsMember({"analysis", "speed", "edits", "photos"}));
     app.add_option("--scene", options.scene, "Only the scene or photo of this name");
     app.add_option("--edit", options.edit, "Only the edit of this name");
     app.add_option("--samples", options.samples, "Paths per pixel of the edits")->check(CLI::PositiveNumber);
+    app.add_option("--photo-samples", options.photos.samples, "Paths per pixel of the photos' edits")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--photo-size", options.photos.longerSide,
+                   "Photos are reduced to this longer side [px]; 0 = as they are")
+        ->check(CLI::NonNegativeNumber);
     app.add_option("--commit", options.commit, "Version that the report names");
 }
 
 void progress(const std::string& message) { std::cerr << message << std::endl; }
 
+Json evaluatePhotos(const Options& options) {
+    Json reports = Json::array();
+    evaluate::ContactSheet sheet(300, 300);
+    const Json list = evaluate::readJson(PATINA_SOURCE_DIR "/tests/evaluate/photos.json");
+    for (const Json& entry : list.at("photos")) {
+        const fs::path folder = fs::path(options.root) / "rgbd" / entry.at("folder").get<std::string>();
+        const std::string name = entry.at("name");
+        if (!fs::exists(folder) || (!options.scene.empty() && name != options.scene)) continue;
+        progress("photo " + name);
+        reports.push_back(evaluate::photoReport(folder, entry, options.photos, sheet, options.output));
+    }
+    if (!sheet.empty()) sheet.save((fs::path(options.output) / "photos.png").string());
+    return reports;
+}
+
 Json run(const Options& options) {
     Json evaluation = {{"commit", options.commit},   {"device", evaluate::newDevice().adapterInfo().name},
                        {"samples", options.samples}, {"analysis", Json::array()},
-                       {"edits", Json::array()},     {"speed", Json::array()}};
+                       {"edits", Json::array()},     {"speed", Json::array()},
+                       {"photos", Json::array()}};
+    const fs::path output = options.output;
+    evaluate::ContactSheet sheet(216, 216);
     const std::vector<fs::path> folders = evaluate::findSceneFolders(options.root);
     for (const fs::path& path : folders) {
         if (!options.scene.empty() && path.filename() != options.scene) continue;
@@ -67,15 +94,21 @@ Json run(const Options& options) {
         if (options.has("analysis")) {
             progress(folder.name + ": analysis");
             evaluation["analysis"].push_back(evaluate::analysisReport(folder, pipeline));
+            evaluate::saveSceneSheet(folder, *pipeline.run(folder.scene), output / (folder.name + ".png"));
         }
         if (!options.has("edits")) continue;
         for (const evaluate::Edit& edit : folder.edits) {
             if (!options.edit.empty() && edit.name != options.edit) continue;
             progress(folder.name + ": " + edit.name);
             const evaluate::EditPictures pictures = evaluate::renderEdit(folder, edit, pipeline);
-            evaluation["edits"].push_back(evaluate::editReport(folder, edit, pictures));
+            const Json report = evaluate::editReport(folder, edit, pictures);
+            sheet.addRow(evaluate::editRow(folder, edit, pictures, report));
+            evaluate::saveStrip(folder, edit, pictures, output / (folder.name + "_" + edit.name + ".png"));
+            evaluation["edits"].push_back(report);
         }
     }
+    if (!sheet.empty()) sheet.save((output / "contact_sheet.png").string());
+    if (options.has("photos")) evaluation["photos"] = evaluatePhotos(options);
     evaluation["targets"] = evaluate::judgeTargets(evaluation);
     return evaluation;
 }
@@ -89,6 +122,7 @@ std::string markdown(const Json& evaluation) {
     evaluate::printEdits(out, evaluation.at("edits"));
     evaluate::printAnalysis(out, evaluation.at("analysis"));
     evaluate::printSpeed(out, evaluation.at("speed"));
+    evaluate::printPhotos(out, evaluation.at("photos"));
     return out.str();
 }
 

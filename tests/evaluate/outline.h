@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/image.h"
+
+namespace evaluate {
+
+/// A closed polygon, continuous pixel coordinates.
+using Outline = std::vector<core::Vector2f>;
+
+[[nodiscard]] Outline ellipseOutline(const core::Vector2f& center, const core::Vector2f& radii);
+
+/// Gives `label` to every pixel whose centre lies inside an odd number of the outlines: a second one inside the first
+/// is a hole. `mask`, where given (same size), keeps out pixels in which it is 0.
+void fillOutlines(core::LabelImage& labels, const std::vector<Outline>& outlines, std::uint16_t label,
+                  const core::ImageF* mask = nullptr);
+
+}  // namespace evaluate

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "core/analysis.h"
+#include "tests/evaluate/contact_sheet.h"
+#include "tests/evaluate/edit_report.h"
+#include "tests/evaluate/scene_folder.h"
+
+namespace evaluate {
+
+/// One row per edit: unedited, ours, with true light, with true light and back side, truth, what ours lacks; around the
+/// edited segment, exposed like the truth's metrics.
+[[nodiscard]] std::vector<ContactSheet::Cell> editRow(const SceneFolder& folder, const Edit& edit,
+                                                      const EditPictures& pictures, const Json& report);
+
+/// The same pictures but the last at full size side by side, without captions.
+void saveStrip(const SceneFolder& folder, const Edit& edit, const EditPictures& pictures,
+               const std::filesystem::path& path);
+
+/// What was recovered of a scene beside the truth: normals, back sides, light.
+void saveSceneSheet(const SceneFolder& folder, const core::Analysis& analysis, const std::filesystem::path& path);
+
+}  // namespace evaluate
