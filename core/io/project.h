@@ -12,16 +12,16 @@
 namespace core {
 
 struct CreateOptions {
-    std::string color;  ///< photograph
-    std::string depth;  ///< "" = inside the colour file (an EXR with a channel Z)
-    DepthKind depthKind = DepthKind::Z;
-    /// Metres per stored unit; nullopt = 1 for float files, 0.001 for 16-bit integers. 8-bit files and integers that
-    /// are no lengths (Disparity, Inverse) need it.
+    std::string color;                   ///< photograph
+    std::string depth;                   ///< "" = inside the colour file (core/io/import/import_format.h)
+    DepthKind depthKind = DepthKind::Z;  ///< Z also where the colour file says what the depth inside it is
+    /// Metres per stored unit; nullopt = as the colour file says of the depth inside it, else 1 for float files, 0.001
+    /// for 16-bit integers. Other 8-bit files and integers that are no lengths (Disparity, Inverse) need it.
     std::optional<double> depthUnit;
     std::optional<Camera> intrinsics;  ///< fx, fy, cx, cy in pixels of the colour image
-    std::optional<float> hfov;         ///< [rad]; with neither, a 35 mm equivalent from the file or 60 degrees
-    std::string segments;              ///< label map, 8 or 16 bit; "" = none
-    std::vector<std::string> glossy;   ///< labels or names
+    std::optional<float> hfov;  ///< [rad]; with neither, as the file says: intrinsics, 35 mm equivalent; else 60°
+    std::string segments;       ///< label map, 8 or 16 bit; "" = none
+    std::vector<std::string> glossy;  ///< labels or names
 };
 
 /// Loads colour, depth and labels into a scene. Depth and labels may be smaller than the colour image if the shape
