@@ -17,6 +17,24 @@ Outline ellipseOutline(const core::Vector2f& center, const core::Vector2f& radii
     return outline;
 }
 
+Outline curveOutline(const Outline& points) {
+    constexpr int kPieces = 8;
+    const std::size_t n = points.size();
+    Outline outline;
+    for (std::size_t i = 0; i < n; ++i) {
+        const core::Vector2f& before = points[(i + n - 1) % n];
+        const core::Vector2f& from = points[i];
+        const core::Vector2f& to = points[(i + 1) % n];
+        const core::Vector2f& after = points[(i + 2) % n];
+        for (int piece = 0; piece < kPieces; ++piece) {
+            const float t = static_cast<float>(piece) / kPieces;
+            outline.push_back(0.5f * (2 * from + t * (to - before) + t * t * (2 * before - 5 * from + 4 * to - after) +
+                                      t * t * t * (3 * from - before - 3 * to + after)));
+        }
+    }
+    return outline;
+}
+
 void fillOutlines(core::LabelImage& labels, const std::vector<Outline>& outlines, std::uint16_t label,
                   const core::ImageF* mask) {
     std::vector<float> crossings;

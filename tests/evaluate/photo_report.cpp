@@ -37,10 +37,13 @@ std::optional<core::Camera> sampleIntrinsics(const fs::path& folder, std::size_t
 /// Outlines of a segment in pixels of the photograph.
 std::vector<Outline> outlinesOf(const Json& segment, float scale) {
     std::vector<Outline> outlines;
-    for (const Json& polygon : segment.value("polygons", Json::array())) {
-        Outline& outline = outlines.emplace_back();
-        for (const Json& point : polygon) outline.push_back(scale * vector2(point));
-    }
+    const auto points = [&](const Json& list) {
+        Outline outline;
+        for (const Json& point : list) outline.push_back(scale * vector2(point));
+        return outline;
+    };
+    for (const Json& polygon : segment.value("polygons", Json::array())) outlines.push_back(points(polygon));
+    for (const Json& curve : segment.value("curves", Json::array())) outlines.push_back(curveOutline(points(curve)));
     for (const Json& ellipse : segment.value("ellipses", Json::array()))
         outlines.push_back(ellipseOutline(scale * vector2(ellipse.at("center")), scale * vector2(ellipse.at("radii"))));
     return outlines;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace {
@@ -45,6 +46,19 @@ TEST(EvaluateOutline, ASecondOutlineInsideIsAHole) {
     EXPECT_NEAR(countOf(labels, 1), std::numbers::pi * (40 * 30 - 20 * 10), 25);
     EXPECT_EQ(labels(50, 50), 0);
     EXPECT_EQ(labels(80, 50), 1);
+}
+
+TEST(EvaluateOutline, ACurveThroughFewPointsOfACircleIsNearIt) {
+    Outline corners;
+    for (int i = 0; i < 12; ++i) {
+        const float angle = static_cast<float>(i) * std::numbers::pi_v<float> / 6;
+        corners.emplace_back(50 + 40 * std::cos(angle), 50 + 40 * std::sin(angle));
+    }
+    for (const core::Vector2f& point : evaluate::curveOutline(corners))
+        EXPECT_NEAR((point - core::Vector2f(50, 50)).norm(), 40, 0.1);
+    LabelImage labels(100, 100);
+    fillOutlines(labels, {evaluate::curveOutline(corners)}, 1);
+    EXPECT_NEAR(countOf(labels, 1), std::numbers::pi * 40 * 40, 40);
 }
 
 TEST(EvaluateOutline, IsCutAtTheBorderAndByTheMask) {
