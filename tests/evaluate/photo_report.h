@@ -17,7 +17,7 @@ namespace evaluate {
 
 struct PhotoOptions {
     int samples = 16;       ///< paths per pixel of the edit
-    int longerSide = 1280;  ///< as in `loadPhotoScene`
+    int longerSide = 1300;  ///< as in `loadPhotoScene`
 };
 
 /// Analyses and edits one photograph, adds input, depth, normals, light and edit to the sheet, saves the edit large as
