@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/depth_layers.h"
+#include "core/march.h"
 #include "tests/support/ray_scene.h"
 
 namespace {
@@ -277,6 +278,57 @@ TEST(DepthLayers, AWrongNormalRaisesNoSpike) {
             }
         }
     }
+}
+
+TEST(MarchPyramid, HitsWhatTheMarchThroughEveryPixelHits) {
+    const test::RayScene scene = test::stillLife(test::testCamera(333, 241));
+    const DepthLayers layers = layersOf(scene);
+    const core::MarchPyramid pyramid(layers);
+    std::vector<Ray> rays = surfaceRays(scene, 20000, 11);
+    // From anywhere in and beside the picture, into all directions.
+    std::mt19937 random(12);
+    std::uniform_real_distribution<float> side(-0.6f, 0.6f);
+    std::uniform_real_distribution<float> away(0.1f, 3.0f);
+    for (int i = 0; i < 20000; ++i)
+        rays.push_back({{side(random), side(random), away(random)}, test::randomDirection(random), 0, {0, 0, 0}});
+    // Along the axes, where a ray never leaves its row or column.
+    for (const Vector3f& d : {Vector3f(1, 0, 0), Vector3f(0, -1, 0), Vector3f(0, 0, 1), Vector3f(0, 0, -1)})
+        for (int i = 0; i < 500; ++i) rays.push_back({{side(random), side(random), away(random)}, d, 0, {0, 0, 0}});
+    int hits = 0;
+    int different = 0;
+    for (const Ray& ray : rays) {
+        const auto expected = core::march(layers, ray.origin, ray.direction);
+        const auto found = pyramid.march(ray.origin, ray.direction);
+        hits += expected ? 1 : 0;
+        if (expected.has_value() != found.has_value()) {
+            ++different;
+        } else if (expected) {
+            different += expected->x != found->x || expected->y != found->y || expected->back != found->back;
+        }
+    }
+    EXPECT_GT(hits, 4000);
+    EXPECT_LE(different, 4) << "of " << rays.size();
+}
+
+TEST(MarchPyramid, LeavesOutASegment) {
+    const test::RayScene scene = test::stillLife(test::testCamera(160, 120));
+    const DepthLayers layers = layersOf(scene);
+    DepthLayers without = layers;
+    for (std::size_t i = 0; i < without.front.size(); ++i)
+        if (without.labels[i] == 2) without.front[i] = {};
+    const core::MarchPyramid pyramid(layers, 2);
+    int hits = 0;
+    for (const Ray& ray : surfaceRays(scene, 5000, 13)) {
+        const auto expected = core::march(without, ray.origin, ray.direction);
+        const auto found = pyramid.march(ray.origin, ray.direction);
+        ASSERT_EQ(expected.has_value(), found.has_value());
+        if (!expected) continue;
+        ++hits;
+        EXPECT_NE(layers.labels(found->x, found->y), 2);
+        EXPECT_EQ(expected->x, found->x);
+        EXPECT_EQ(expected->y, found->y);
+    }
+    EXPECT_GT(hits, 300);
 }
 
 TEST(MarchBias, IsHalfAPixel) {
