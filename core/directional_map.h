@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include "core/image.h"
 
 namespace core {
@@ -12,6 +14,9 @@ struct DirectionalMap {
     ImageRgb radiance;
     /// Observations per texel; 0 = filled by interpolation. Same size as `radiance`.
     ImageF coverage;
+    /// Bit c: every observation of channel c was clipped by the camera; its radiance is at least what was seen, the rest
+    /// is estimated from the pixels around. Empty = nothing clipped.
+    Image<std::uint8_t> clipped = {};
 
     [[nodiscard]] bool empty() const { return radiance.empty(); }
 

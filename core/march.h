@@ -19,6 +19,8 @@ class MarchPyramid {
     /// pixel; they may differ where a ray runs through the corner of a pixel within rounding.
     [[nodiscard]] std::optional<MarchHit> march(const Vector3f& origin, const Vector3f& direction) const;
 
+    [[nodiscard]] const DepthLayers& layers() const { return layers_; }
+
   private:
     /// Range of w that the solids of a cell of 2^level pixels take up; `low` > `high`: empty.
     struct Range {

@@ -16,9 +16,6 @@ namespace core {
 
 namespace {
 
-/// What a glossy segment that nobody edited is taken for when a path meets it.
-constexpr float kGlossyAlpha = 0.05f;
-
 kernel::vec3 toKernel(const Vector3f& v) { return {v.x(), v.y(), v.z()}; }
 Vector3f fromKernel(kernel::vec3 v) { return {v.x, v.y, v.z}; }
 
@@ -28,7 +25,8 @@ kernel::SegmentShading shadingOf(const Segment& segment, const Analysis& analysi
     if (!segment.edit) {
         if (!segment.glossy) return s;
         Material mirror = defaultMaterial(*findBrdf("ggx"));
-        mirror.values[0] = kGlossyAlpha;
+        const Reflectance* found = analysis.findReflectance(segment.label);
+        mirror.values[0] = found != nullptr ? found->alpha : Reflectance().alpha;
         mirror.fresnel = Fresnel::None;
         s.brdf = toKernel(mirror, specularOf(segment, analysis));
         s.blend.w = 1;

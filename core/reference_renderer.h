@@ -49,7 +49,7 @@ namespace core {
 // the photograph's, bit for bit.
 
 /// Shading of every label (index = label; label 0 and labels without a segment end paths). An edited segment uses its
-/// material; a glossy unedited one GGX of width 0.05 with its ρ; both let paths go on.
+/// material; a glossy unedited one GGX of its estimated width and ρ; both let paths go on.
 [[nodiscard]] std::vector<kernel::SegmentShading> buildSegmentShading(const Scene& scene, const Analysis& analysis);
 
 /// Specular colour of a segment when its material does not choose one: the user's ρ, the estimated one, or white.

@@ -6,44 +6,111 @@
 #include <numbers>
 
 #include "core/parallel.h"
+#include "core/steps/deconvolve.h"
 
 namespace core::steps {
 namespace {
 
 constexpr const char* kName = "Environment";
-constexpr int kMaxUserRows = 1024;
+constexpr float kUnreliableConfidence = 0.2f;
 
 }  // namespace
 
-DirectionalMap recoverEnvironment(const Photo& photo, const ImageF& depth, int mapHeight,
-                                  std::span<const std::shared_ptr<const Reflectance>> reflectances,
-                                  std::span<const std::shared_ptr<const SegmentReflections>> reflections,
-                                  const StepContext& context) {
-    CORE_ASSERT(reflectances.size() == reflections.size(), "one ρ per segment");
-    DirectionalAccumulator sum(std::clamp(mapHeight, 4, 2048));
-    for (std::size_t i = 0; i < reflections.size(); ++i)
-        sum.add(reflections[i]->missed, reflectances[i]->rho.cwiseMax(1e-3f).cwiseInverse());
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+namespace {
+
+/// Distant pixels: light seen directly.
+DirectionalMap distantLight(const Photo& photo, const ImageF& depth, int mapHeight, Vector3f& mean,
+                            const StepContext& context) {
+    DirectionalAccumulator sum(mapHeight);
+    Eigen::Vector3d total = Eigen::Vector3d::Zero();
     for (int y = 0; y < depth.height(); ++y) {
-        context.checkpoint(kName, 0.3f * static_cast<float>(y) / static_cast<float>(depth.height()));
+        context.checkpoint(kName, 0.2f * static_cast<float>(y) / static_cast<float>(depth.height()));
         for (int x = 0; x < depth.width(); ++x) {
-            mean += photo.color(x, y).cast<double>();
+            const Vector3f& color = photo.color(x, y);
+            total += color.cast<double>();
             if (depth(x, y) > 0) continue;
             bool mixed = false;
             for (int dy = -1; dy <= 1; ++dy)
                 for (int dx = -1; dx <= 1; ++dx)
                     mixed = mixed || (depth.contains(x + dx, y + dy) && depth(x + dx, y + dy) > 0);
-            if (!mixed) sum.add(photo.camera.pixelRay(x, y).normalized(), photo.color(x, y));
+            if (!mixed) sum.add(photo.camera.pixelRay(x, y).normalized(), color, 1, clippedChannels(photo, x, y));
         }
     }
-    mean /= static_cast<double>(std::max<std::size_t>(1, depth.size()));
-    DirectionalMap map = sum.map();
-    fillDirections(map, mean.cast<float>(), kName, context, 0.3f, 1.0f);
+    mean = (total / static_cast<double>(std::max<std::size_t>(1, depth.size()))).cast<float>();
+    return sum.map();
+}
+
+/// All sources in one map: weighted by how much each knows and how sharply. A clipped channel counts only where no
+/// source knows it unclipped; then the largest is taken, the nearest to what was clipped.
+DirectionalMap merge(std::span<const LobeObservations> sources, int mapHeight) {
+    const float texelAngle = std::numbers::pi_v<float> / static_cast<float>(mapHeight);
+    DirectionalMap result{ImageRgb(2 * mapHeight, mapHeight, Vector3f::Zero()), ImageF(2 * mapHeight, mapHeight, 0.0f)};
+    Image<std::uint8_t> clipped(2 * mapHeight, mapHeight, 0);
+    bool anyClipped = false;
+    for (std::size_t i = 0; i < result.radiance.size(); ++i) {
+        unsigned open = 0;  // channels that some source knows unclipped
+        for (const LobeObservations& source : sources)
+            if (source.map.coverage[i] > 0) open |= ~source.clippedChannels(i) & 7u;
+        Vector3f sum = Vector3f::Zero();
+        Vector3f weights = Vector3f::Zero();
+        Vector3f bound = Vector3f::Zero();
+        for (const LobeObservations& source : sources) {
+            const float coverage = source.map.coverage[i];
+            if (!(coverage > 0)) continue;
+            const float blur = 2 * source.alpha / texelAngle;
+            const float weight = source.confidence * coverage / (coverage + 1) / (1 + blur * blur);
+            result.coverage[i] += coverage;
+            for (int c = 0; c < 3; ++c) {
+                bound[c] = std::max(bound[c], source.map.radiance[i][c]);
+                if ((source.clippedChannels(i) >> c & 1u) != 0) continue;
+                sum[c] += weight * source.map.radiance[i][c];
+                weights[c] += weight;
+            }
+        }
+        if (!(result.coverage[i] > 0)) continue;
+        for (int c = 0; c < 3; ++c) result.radiance[i][c] = weights[c] > 0 ? sum[c] / weights[c] : bound[c];
+        clipped[i] = static_cast<std::uint8_t>(~open & 7u);
+        anyClipped = anyClipped || clipped[i] != 0;
+    }
+    if (anyClipped) result.clipped = std::move(clipped);
+    return result;
+}
+
+}  // namespace
+
+DirectionalMap recoverEnvironment(const Photo& photo, const ImageF& depth, const EnvironmentParams& params,
+                                  std::span<const std::shared_ptr<const Reflectance>> reflectances,
+                                  std::span<const std::shared_ptr<const SegmentReflections>> reflections,
+                                  const StepContext& context) {
+    CORE_ASSERT(reflectances.size() == reflections.size(), "one ρ per segment");
+    const int mapHeight = std::clamp(params.height, 4, 2048);
+    Vector3f mean;
+    std::vector<LobeObservations> sources;
+    sources.push_back({distantLight(photo, depth, mapHeight, mean, context), 0, {0, 0, 1}, 1});
+    for (std::size_t i = 0; i < reflections.size(); ++i) {
+        const Reflectance& reflectance = *reflectances[i];
+        LobeObservations source{reflections[i]->missed, reflectance.alpha, reflections[i]->view,
+                                reflectance.reliable ? 1.0f : kUnreliableConfidence};
+        const Vector3f scale = reflectance.rho.cwiseMax(1e-3f).cwiseInverse();
+        for (Vector3f& value : source.map.radiance.pixels()) value = value.cwiseProduct(scale);
+        sources.push_back(std::move(source));
+    }
+    DirectionalMap map = merge(sources, mapHeight);
+    const bool observed = std::ranges::any_of(map.coverage.pixels(), [](float c) { return c > 0; });
+    fillDirections(map, params.fill, mean, kName, context, 0.2f, 0.4f);
+    if (observed) deconvolve(map, sources, kName, context, 0.4f, 0.8f);
+    if (params.image && !params.image->empty()) {
+        const DirectionalMap user = userEnvironment(*params.image, params.rotation, params.scale, mapHeight, context);
+        completeDirections(map, user.radiance, kName, context, 0.9f);
+    } else if (observed) {
+        fillDirections(map, params.fill, mean, kName, context, 0.8f, 1.0f);
+    }
     return map;
 }
 
-DirectionalMap userEnvironment(const ImageRgb& image, float rotation, float scale, const StepContext& context) {
-    const int height = std::clamp(image.height(), 1, kMaxUserRows);
+DirectionalMap userEnvironment(const ImageRgb& image, float rotation, float scale, int rows,
+                               const StepContext& context) {
+    const int height = std::max(rows, 1);
     const int width = 2 * height;
     DirectionalMap map{ImageRgb(width, height), ImageF(width, height, 1.0f)};
     const float turns = rotation / (2 * std::numbers::pi_v<float>);
@@ -88,10 +155,12 @@ Step environmentStep() {
     step.run = [](Board& board, const StepContext& context) {
         const Scene& scene = *board.scene;
         const EnvironmentParams& p = scene.environment;
+        const bool replaced = p.image && !p.image->empty() && p.use == EnvironmentUse::Replace;
         board.environment = std::make_shared<DirectionalMap>(
-            p.image && !p.image->empty() ? userEnvironment(*p.image, p.rotation, p.scale, context)
-                                         : recoverEnvironment(*scene.photo, board.depth->depth, p.height,
-                                                              board.reflectances, board.reflections, context));
+            replaced
+                ? userEnvironment(*p.image, p.rotation, p.scale, std::min(p.image->height(), kMaxUserRows), context)
+                : recoverEnvironment(*scene.photo, board.depth->depth, p, board.reflectances, board.reflections,
+                                     context));
     };
     return step;
 }

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/steps/reflectance.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include "core/parallel.h"
+#include "core/steps/lobe.h"
 
 namespace core::steps {
 namespace {
 
 constexpr const char* kName = "Reflectance";
 constexpr int kIncidentRays = 1 << 16;
+constexpr std::size_t kMaxPixels = 400000;  // of a segment that are traced; more would not be seen in the maps
+constexpr std::size_t kMaxProbes = 1500;
+/// Codes just below the largest count as clipped too: sharpening and compression leave them there.
+constexpr float kClipMargin = 0.98f;
 constexpr float kMinRho = 0.02f;
 /// Beyond this angle (cosine) a mirrored direction depends more on the error of the normal than on the normal.
 constexpr float kMinCosine = 0.08f;
@@ -40,9 +46,12 @@ struct Tracer {
     const Surface& back;
     const std::vector<bool>& glossy;  ///< by label
 
-    [[nodiscard]] Ending trace(const DepthLayers& layers, const Vector3f& origin, const Vector3f& direction,
+    /// Bit c: the camera clipped channel c of a pixel.
+    [[nodiscard]] unsigned clipped(int x, int y) const { return clippedChannels(*scene.photo, x, y); }
+
+    [[nodiscard]] Ending trace(const MarchPyramid& pyramid, const Vector3f& origin, const Vector3f& direction,
                                std::uint16_t label) const {
-        const auto hit = march(layers, origin, direction);
+        const auto hit = pyramid.march(origin, direction);
         if (!hit) {
             if (const auto color = distantColor(*scene.photo, front.depth, direction))
                 return {Ending::Distant, direction, *color};
@@ -115,6 +124,14 @@ Vector3f meanColor(const ImageRgb& color) {
 
 }  // namespace
 
+unsigned clippedChannels(const Photo& photo, int x, int y) {
+    const float level = kClipMargin * photo.clipLevel;
+    unsigned bits = 0;
+    for (int c = 0; c < 3; ++c)
+        if (photo.color(x, y)[c] >= level) bits |= 1u << c;
+    return bits;
+}
+
 bool isInterior(const LabelImage& labels, const ImageF& depth, int x, int y) {
     for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
@@ -138,12 +155,114 @@ std::optional<Vector3f> distantColor(const Photo& photo, const ImageF& depth, co
     return photo.color(x, y);
 }
 
+namespace {
+
+/// A pixel of the segment and the direction it mirrors.
+struct Mirror {
+    int x = 0, y = 0;
+    Vector3f origin{0, 0, 0};     ///< lifted off the surface
+    Vector3f direction{0, 0, 0};  ///< mirrored view direction; zero at grazing angles, where it is not known
+    Ending ending;
+};
+
+std::optional<Vector3f> mirroredDirection(const Surface& front, int x, int y) {
+    const Vector3f& n = front.normal(x, y);
+    const Vector3f view = front.position(x, y).normalized();
+    const float cosine = -view.dot(n);
+    if (cosine < kMinCosine) return std::nullopt;
+    return (view + 2 * cosine * n).normalized();
+}
+
+/// How much a pixel knows of the texel its mirrored ray points into: little where the neighbours' rays diverge.
+float sharpness(const LabelImage& labels, const Surface& front, const Mirror& mirror, float texelAngle) {
+    float spread = 0;
+    for (const auto& [dx, dy] : {std::array{1, 0}, std::array{0, 1}, std::array{-1, 0}, std::array{0, -1}}) {
+        const int x = mirror.x + dx;
+        const int y = mirror.y + dy;
+        if (!labels.contains(x, y) || labels(x, y) != labels(mirror.x, mirror.y) || front.depth(x, y) <= 0) continue;
+        const auto direction = mirroredDirection(front, x, y);
+        spread = std::max(spread, direction ? (*direction - mirror.direction).norm() : 1.0f);
+    }
+    const float texels = 0.5f * spread / texelAngle;
+    return 1 / (1 + texels * texels);
+}
+
+/// What the lobe of one pixel meets, ring by ring. What misses everything is taken from `sky`, L_S/ρ of the segment.
+LobeProbe probeLobe(const Tracer& tracer, const MarchPyramid& pyramid, const Mirror& mirror, std::uint16_t label,
+                    const DirectionalMap& sky) {
+    const Vector3f& n = tracer.front.normal(mirror.x, mirror.y);
+    const Vector3f view = tracer.front.position(mirror.x, mirror.y).normalized();
+    const Vector3f tangent = n.unitOrthogonal();
+    const Vector3f bitangent = n.cross(tangent);
+    LobeProbe probe;
+    probe.color = tracer.front.color(mirror.x, mirror.y);
+    for (int ring = 0; ring <= kLobeRings; ++ring) {
+        const auto k = static_cast<std::size_t>(ring);
+        const int rays = ring == 0 ? 1 : kRaysPerRing;
+        float known = 0;
+        for (int j = 0; j < rays; ++j) {
+            const float phi = 2 * std::numbers::pi_v<float> *
+                              (static_cast<float>(j) + 0.37f * static_cast<float>(ring)) / kRaysPerRing;
+            const Vector3f half =
+                (n + ringTangent(ring) * (std::cos(phi) * tangent + std::sin(phi) * bitangent)).normalized();
+            const Vector3f direction = view - 2 * view.dot(half) * half;
+            if (direction.dot(n) <= 0) {
+                known += 1;  // below the horizon: no light comes from there
+                continue;
+            }
+            const Ending ending = tracer.trace(pyramid, mirror.origin, direction, label);
+            if (ending.kind == Ending::Known || ending.kind == Ending::Distant) {
+                probe.incident[k] += ending.color;
+                known += 1;
+            } else if (ending.kind == Ending::Missed) {
+                const Vector2f texel =
+                    DirectionalMap::texelFromDirection(direction, sky.radiance.width(), sky.radiance.height());
+                const int x = static_cast<int>(texel.x()) % sky.radiance.width();
+                const int y = std::min(static_cast<int>(texel.y()), sky.radiance.height() - 1);
+                if (!(sky.coverage(x, y) > 0)) continue;
+                probe.incident[k] += sky.radiance(x, y);
+                known += 1;
+            }
+        }
+        if (known > 0) probe.incident[k] /= known;
+        probe.known[k] = known / static_cast<float>(rays);
+    }
+    return probe;
+}
+
+std::optional<LobeFit> probeAndFit(const Tracer& tracer, const MarchPyramid& pyramid, std::span<const Mirror> mirrors,
+                                   std::uint16_t label, const DirectionalMap& missed, const Vector3f& rho,
+                                   const StepContext& context, float from, float to) {
+    std::vector<const Mirror*> candidates;
+    for (const Mirror& mirror : mirrors)
+        if (mirror.ending.kind == Ending::Known && tracer.clipped(mirror.x, mirror.y) == 0)
+            candidates.push_back(&mirror);
+    const std::size_t count = std::min(kMaxProbes, candidates.size());
+    if (count == 0) return std::nullopt;
+    DirectionalMap sky = missed;
+    for (Vector3f& value : sky.radiance.pixels()) value = value.cwiseQuotient(rho.cwiseMax(kMinRho));
+    std::vector<LobeProbe> probes(count);
+    constexpr int kChunk = 16;
+    parallelFor(
+        context, kName, static_cast<int>((count + kChunk - 1) / kChunk),
+        [&](int chunk) {
+            const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
+            for (std::size_t i = begin; i < std::min(count, begin + kChunk); ++i)
+                probes[i] = probeLobe(tracer, pyramid, *candidates[i * candidates.size() / count], label, sky);
+        },
+        from, to);
+    return fitLobe(probes);
+}
+
+}  // namespace
+
 SegmentReflections estimateReflectance(const Scene& scene, const Surface& front, const Surface& back,
-                                       const DepthLayers& layers, std::uint16_t label, const StepContext& context,
+                                       const MarchPyramid& pyramid, std::uint16_t label, const StepContext& context,
                                        float from, float to) {
     const Photo& photo = *scene.photo;
     const Camera& camera = photo.camera;
     const int mapHeight = std::clamp(scene.environment.height, 4, 2048);
+    const float texelAngle = std::numbers::pi_v<float> / static_cast<float>(mapHeight);
     const int width = front.depth.width();
     const int height = front.depth.height();
     const auto part = [&](float fraction) { return from + fraction * (to - from); };
@@ -163,53 +282,60 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
             if (isInterior(photo.labels, front.depth, x, y)) interior.push_back({x, y});
         }
     }
-    SegmentReflections result{{}, DirectionalAccumulator(mapHeight)};
+    SegmentReflections result;
     Reflectance& estimate = result.estimate;
     estimate.label = label;
     DirectionalAccumulator reflected(mapHeight);
+    DirectionalAccumulator missed(mapHeight);
     DirectionalAccumulator incident(mapHeight);
     DirectionalAccumulator guessedIncident(mapHeight);
     DirectionalAccumulator pairReflected(mapHeight);
     DirectionalAccumulator pairIncident(mapHeight);
+    std::vector<Mirror> mirrors;
 
     if (!pixels.empty()) {
         center /= static_cast<double>(pixels.size());
+        result.view = center.normalized().cast<float>();
         const auto& used = interior.empty() ? pixels : interior;
+        const std::size_t stride = used.size() / kMaxPixels + 1;
+        mirrors.resize(used.size() / stride);
         constexpr int kChunk = 512;
-        std::vector<Ending> endings(used.size());
-        const auto chunks = [](std::size_t count) { return static_cast<int>((count + kChunk - 1) / kChunk); };
+        std::vector<float> weights(mirrors.size(), 1.0f);
         parallelFor(
-            context, kName, chunks(used.size()),
+            context, kName, static_cast<int>((mirrors.size() + kChunk - 1) / kChunk),
             [&](int chunk) {
                 const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
-                for (std::size_t i = begin; i < std::min(used.size(), begin + kChunk); ++i) {
-                    const auto [x, y] = used[i];
-                    const Vector3f& p = front.position(x, y);
-                    const Vector3f& n = front.normal(x, y);
-                    const Vector3f view = p.normalized();
-                    const float cosine = -view.dot(n);
-                    if (cosine < kMinCosine) continue;
-                    const Vector3f mirrored = (view + 2 * cosine * n).normalized();
-                    endings[i] = tracer.trace(layers, p + marchBias(camera, p.z()) * n, mirrored, label);
+                for (std::size_t i = begin; i < std::min(mirrors.size(), begin + kChunk); ++i) {
+                    Mirror& mirror = mirrors[i];
+                    mirror.x = used[i * stride][0];
+                    mirror.y = used[i * stride][1];
+                    const auto direction = mirroredDirection(front, mirror.x, mirror.y);
+                    if (!direction) continue;
+                    mirror.direction = *direction;
+                    const Vector3f& p = front.position(mirror.x, mirror.y);
+                    mirror.origin = p + marchBias(camera, p.z()) * front.normal(mirror.x, mirror.y);
+                    mirror.ending = tracer.trace(pyramid, mirror.origin, mirror.direction, label);
+                    weights[i] = sharpness(photo.labels, front, mirror, texelAngle);
                 }
             },
-            part(0), part(0.5f));
-        for (std::size_t i = 0; i < used.size(); ++i) {
-            const Ending& ending = endings[i];
+            part(0), part(0.4f));
+        for (std::size_t i = 0; i < mirrors.size(); ++i) {
+            const Mirror& mirror = mirrors[i];
+            const Ending& ending = mirror.ending;
             if (ending.kind == Ending::None || ending.kind == Ending::Itself) continue;
-            const Vector3f& color = front.color(used[i][0], used[i][1]);
-            reflected.add(ending.direction, color);
+            const Vector3f& color = front.color(mirror.x, mirror.y);
+            const unsigned clipped = tracer.clipped(mirror.x, mirror.y);
+            reflected.add(mirror.direction, color, weights[i], clipped);
             if (ending.kind == Ending::Missed || ending.kind == Ending::Distant)
-                result.missed.add(ending.direction, color);
-            if (ending.kind == Ending::Known || ending.kind == Ending::Distant) {
-                pairReflected.add(ending.direction, color);
-                pairIncident.add(ending.direction, ending.color);
+                missed.add(mirror.direction, color, weights[i], clipped);
+            if (clipped == 0 && (ending.kind == Ending::Known || ending.kind == Ending::Distant)) {
+                pairReflected.add(mirror.direction, color);
+                pairIncident.add(mirror.direction, ending.color);
             }
         }
 
         // What arrives at the centre, with the segment itself taken away.
-        DepthLayers others = layers;
-        for (const auto& [x, y] : pixels) others.front(x, y) = {};
+        const MarchPyramid others(pyramid.layers(), label);
         std::vector<Ending> rays(kIncidentRays);
         const Vector3f origin = center.cast<float>();
         parallelFor(
@@ -219,7 +345,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
                     rays[static_cast<std::size_t>(i)] =
                         tracer.trace(others, origin, fibonacciDirection(i, kIncidentRays), label);
             },
-            part(0.5f), part(0.7f));
+            part(0.4f), part(0.6f));
         for (const Ending& ray : rays) {
             if (ray.kind == Ending::Known || ray.kind == Ending::Distant) incident.add(ray.direction, ray.color);
             if (ray.kind == Ending::Guessed) guessedIncident.add(ray.direction, ray.color);
@@ -228,8 +354,22 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
 
     estimate.reflected = reflected.map();
     estimate.incident = incident.map();
+    result.missed = missed.map();
     const CommonRatio pairs = commonRatio(pairReflected.map(), pairIncident.map());
     const CommonRatio maps = commonRatio(estimate.reflected, estimate.incident);
+    const CommonRatio& better = pairs.solidAngle >= kMinCommonSolidAngle ? pairs : maps;
+    estimate.commonSolidAngle = better.solidAngle;
+    estimate.reliable = better.solidAngle >= kMinCommonSolidAngle;
+    estimate.rho = better.rho;
+    if (estimate.reliable) {
+        const auto fit =
+            probeAndFit(tracer, pyramid, mirrors, label, result.missed, better.rho, context, part(0.6f), part(0.8f));
+        if (fit && fit->reliable) {
+            estimate.alpha = fit->alpha;
+            estimate.alphaReliable = true;
+            estimate.rho = fit->rho;
+        }
+    }
 
     // Guesses fill the gaps between what is known, but do not count as known.
     const DirectionalMap guesses = guessedIncident.map();
@@ -240,16 +380,12 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
         filled.coverage[i] = guesses.coverage[i];
     }
     const Vector3f fallback = meanColor(photo.color);
-    fillDirections(filled, fallback, kName, context, part(0.7f), part(0.85f));
+    const EnvironmentFill fill = scene.environment.fill;
+    fillDirections(filled, fill, fallback, kName, context, part(0.8f), part(0.9f));
     estimate.incident.radiance = std::move(filled.radiance);
-    fillDirections(estimate.reflected, fallback, kName, context, part(0.85f), part(1));
+    fillDirections(estimate.reflected, fill, fallback, kName, context, part(0.9f), part(1));
 
-    const CommonRatio& better = pairs.solidAngle >= kMinCommonSolidAngle ? pairs : maps;
-    estimate.commonSolidAngle = better.solidAngle;
-    estimate.reliable = better.solidAngle >= kMinCommonSolidAngle;
-    if (estimate.reliable) {
-        estimate.rho = better.rho;
-    } else {
+    if (!estimate.reliable) {
         const Vector3f below = estimate.incident.mean();
         const Vector3f above = estimate.reflected.mean();
         for (int c = 0; c < 3; ++c) estimate.rho[c] = below[c] > 0 ? above[c] / below[c] : 1.0f;
@@ -267,11 +403,12 @@ Step reflectanceStep() {
     step.reads = {Item::Photo, Item::Front, Item::Back, Item::Layers};
     step.writes = Item::Reflectances;
     step.params = [](const Scene& scene, Hash& hash) {
-        hash.add(scene.environment.height);
+        hash.add(scene.environment.height).add(scene.environment.fill);
         for (const Segment& segment : scene.segments) {
             if (!segment.glossy) continue;
             hash.add(segment.label).add(segment.reflectance.has_value());
             if (segment.reflectance) hash.add(*segment.reflectance);
+            hash.add(segment.lobeWidth.value_or(0.0f));
         }
     };
     step.run = [](Board& board, const StepContext& context) {
@@ -281,9 +418,10 @@ Step reflectanceStep() {
             if (segment.glossy) glossy.push_back(&segment);
         // Which surfaces are glossy decides what counts as known for all of them.
         Hash hash;
-        hash.add(board.layersKey).add(scene.environment.height);
+        hash.add(board.layersKey).add(scene.environment.height).add(scene.environment.fill);
         for (const Segment* segment : glossy) hash.add(segment->label);
 
+        const MarchPyramid pyramid(*board.layers);
         std::vector<std::shared_ptr<const Reflectance>> results;
         std::vector<std::shared_ptr<const SegmentReflections>> reflections;
         for (std::size_t i = 0; i < glossy.size(); ++i) {
@@ -292,12 +430,13 @@ Step reflectanceStep() {
             if (!cached.reflections || cached.key != hash.value()) {
                 const auto count = static_cast<float>(glossy.size());
                 cached.reflections = std::make_shared<SegmentReflections>(
-                    estimateReflectance(scene, *board.front, board.back->surface, *board.layers, label, context,
+                    estimateReflectance(scene, *board.front, board.back->surface, pyramid, label, context,
                                         static_cast<float>(i) / count, static_cast<float>(i + 1) / count));
                 cached.key = hash.value();
             }
             auto result = std::make_shared<Reflectance>(cached.reflections->estimate);
             if (glossy[i]->reflectance) result->rho = *glossy[i]->reflectance;
+            if (glossy[i]->lobeWidth) result->alpha = *glossy[i]->lobeWidth;
             results.push_back(std::move(result));
             reflections.push_back(cached.reflections);
         }

@@ -3,10 +3,14 @@
 
 #include <vector>
 
+#include "core/march.h"
 #include "core/steps/fill_directions.h"
 #include "core/steps/step.h"
 
 namespace core::steps {
+
+/// Bit c: the camera clipped channel c of a pixel (`Photo::clipLevel`).
+[[nodiscard]] unsigned clippedChannels(const Photo& photo, int x, int y);
 
 /// Whether the photo's colour at a pixel is what any viewer sees there and not a mixture of two objects: depth, and all
 /// eight neighbours of the same label (at the border of the picture: those that exist).
@@ -19,23 +23,24 @@ namespace core::steps {
 /// What one glossy segment shows of the world (DESIGN 3.3, cases A to D).
 struct SegmentReflections {
     Reflectance estimate;
-    DirectionalAccumulator missed;  ///< colours whose mirrored ray hits nothing: the environment times ρ
+    /// Colours whose mirrored ray hits nothing: ρ times the environment as the lobe blurs it. Weighted: where the
+    /// surface is curved so much that a pixel mirrors more than a texel, it knows less of each.
+    DirectionalMap missed;
+    Vector3f view{0, 0, 1};  ///< unit, from the camera to the segment
 };
 
-/// L_S, L_G and ρ of one segment.
+/// L_S, L_G, ρ and lobe width of one segment.
 ///
-/// ρ = mean(reflected)/mean(incident) per channel, over the directions both maps really know. Two sources, in this
-/// order:
-/// 1. Pairs: an interior pixel whose mirrored ray ends on the front of an interior pixel of a segment that is not
-/// glossy,
-///    or in a distant pixel, knows both its own colour and what it mirrors, at the right place: no parallax between the
-///    segment's points and its centre. Binned by direction; every texel weighs its solid angle.
-/// 2. Where the pairs cover less than `kMinCommonSolidAngle`: the texels covered in both L_S and L_G.
-/// Texels whose ratio of luminance is among the lowest or highest tenth are left out. Clamped to [0.02, 1].
-/// `reliable` is false when neither source covers `kMinCommonSolidAngle`; then ρ is the ratio of the filled maps'
-/// means.
+/// ρ = mean(reflected)/mean(incident) per channel, over the directions both maps really know. Sources, in this order:
+/// 1. Lobes: interior pixels whose mirrored ray meets a front whose colour is true for every viewer, with what their
+///    whole lobe meets there (`fitLobe`). This also tells the width; it needs detail in what is reflected.
+/// 2. Pairs: what such a pixel shows against what its mirrored ray alone meets, binned by direction; every texel weighs
+///    its solid angle. No parallax between the segment's points and its centre.
+/// 3. Where the pairs cover less than `kMinCommonSolidAngle`: the texels covered in both L_S and L_G.
+/// In 2 and 3 texels whose ratio of luminance is among the lowest or highest tenth are left out. Clamped to [0.02, 1].
+/// `reliable` is false when no source covers `kMinCommonSolidAngle`; then ρ is the ratio of the filled maps' means.
 [[nodiscard]] SegmentReflections estimateReflectance(const Scene& scene, const Surface& front, const Surface& back,
-                                                     const DepthLayers& layers, std::uint16_t label,
+                                                     const MarchPyramid& pyramid, std::uint16_t label,
                                                      const StepContext& context, float from, float to);
 
 inline constexpr float kMinCommonSolidAngle = 0.02f;  ///< [sr]

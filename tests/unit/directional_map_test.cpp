@@ -104,7 +104,7 @@ TEST(FillDirections, KeepsWhatIsKnownAndCoverage) {
         map.coverage(x, 8) = 0;
         map.radiance(x, 8).setZero();
     }
-    core::steps::fillDirections(map, Vector3f(9, 9, 9), "test", {});
+    core::steps::fillDirections(map, core::EnvironmentFill::Shepard, Vector3f(9, 9, 9), "test", {});
     for (int y = 0; y < 16; ++y) {
         for (int x = 0; x < 32; ++x) {
             if (y == 8 && x % 2 == 0) {
@@ -125,7 +125,7 @@ TEST(FillDirections, AgreesWithAllPairsSummation) {
         mapOf(height, [&](const Vector3f& d) { return Vector3f(1 + d.x(), 1 + 0.5f * d.z(), value(random)); });
     for (std::size_t i = 0; i < map.coverage.size(); ++i) map.coverage[i] = value(random) < 0.15f ? 3.0f : 0.0f;
     DirectionalMap filled = map;
-    core::steps::fillDirections(filled, Vector3f::Zero(), "test", {});
+    core::steps::fillDirections(filled, core::EnvironmentFill::Shepard, Vector3f::Zero(), "test", {});
     double squares = 0;
     int count = 0;
     for (int y = 0; y < height; ++y) {
@@ -162,7 +162,7 @@ TEST(FillDirections, SphereHasNoSeamAndNoPoles) {
     map.coverage(0, height / 2) = 1;
     map.radiance(height, height / 2) = Vector3f(0, 1, 0);
     map.coverage(height, height / 2) = 1;
-    core::steps::fillDirections(map, Vector3f::Zero(), "test", {});
+    core::steps::fillDirections(map, core::EnvironmentFill::Shepard, Vector3f::Zero(), "test", {});
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < 2 * height; ++x) {
             if (map.coverage(x, y) > 0) continue;
@@ -179,23 +179,92 @@ TEST(FillDirections, SphereHasNoSeamAndNoPoles) {
 
 TEST(FillDirections, NothingKnownGivesTheFallback) {
     DirectionalMap map{core::ImageRgb(16, 8), core::ImageF(16, 8)};
-    core::steps::fillDirections(map, Vector3f(1, 2, 3), "test", {});
+    core::steps::fillDirections(map, core::EnvironmentFill::Shepard, Vector3f(1, 2, 3), "test", {});
     for (const Vector3f& c : map.radiance.pixels()) EXPECT_EQ(c, Vector3f(1, 2, 3));
     EXPECT_FLOAT_EQ(map.mean().y(), 2);
 }
 
-TEST(DirectionalAccumulator, AveragesPerTexelAndCounts) {
+TEST(FillMembrane, SolvesLaplacesEquationOnTheSphere) {
+    // log tan(θ/2) is harmonic on the sphere away from the poles.
+    const auto truth = [](const Vector3f& d) {
+        const float theta = std::acos(-d.y());
+        return Vector3f(std::tan(theta / 2), 1, 2 * std::tan(theta / 2));
+    };
+    DirectionalMap map = mapOf(64, truth);
+    for (int y = 12; y < 52; ++y)
+        for (int x = 0; x < 128; ++x) {
+            map.coverage(x, y) = 0;
+            map.radiance(x, y).setZero();
+        }
+    core::steps::fillDirections(map, core::EnvironmentFill::Membrane, Vector3f::Zero(), "test", {});
+    for (int y = 12; y < 52; ++y)
+        for (int x = 0; x < 128; x += 5) {
+            const Vector3f expected = truth(texelDirection(x, y, 128, 64));
+            EXPECT_LT((map.radiance(x, y) - expected).norm(), 0.03f * expected.norm()) << x << ' ' << y;
+        }
+}
+
+TEST(FillMembrane, SunAtTheEdgeOfWhatWasSeenDoesNotSpread) {
+    DirectionalMap map = mapOf(64, [](const Vector3f&) { return Vector3f(1, 1, 1); });
+    for (int y = 32; y < 64; ++y)
+        for (int x = 0; x < 128; ++x) map.coverage(x, y) = 0;
+    map.radiance(40, 31) = Vector3f(5000, 5000, 5000);
+    DirectionalMap shepard = map;
+    core::steps::fillDirections(map, core::EnvironmentFill::Membrane, Vector3f::Zero(), "test", {});
+    core::steps::fillDirections(shepard, core::EnvironmentFill::Shepard, Vector3f::Zero(), "test", {});
+    double membraneSum = 0, shepardSum = 0, weight = 0;
+    for (int y = 32; y < 64; ++y)
+        for (int x = 0; x < 128; ++x) {
+            const double w = DirectionalMap::texelSolidAngle(y, 128, 64);
+            membraneSum += w * map.radiance(x, y).x();
+            shepardSum += w * shepard.radiance(x, y).x();
+            weight += w;
+        }
+    EXPECT_LT(membraneSum / weight, 1.2);
+    EXPECT_GT(shepardSum / weight, 2.0) << "what the paper's fill would do";
+}
+
+TEST(CompleteDirections, FadesFromWhatWasSeenToTheUsersMap) {
+    DirectionalMap map = mapOf(64, [](const Vector3f&) { return Vector3f(1, 1, 1); });
+    for (int y = 32; y < 64; ++y)
+        for (int x = 0; x < 128; ++x) map.coverage(x, y) = 0;
+    const core::ImageRgb user(128, 64, Vector3f(3, 3, 3));
+    core::steps::completeDirections(map, user, "test", {});
+    EXPECT_EQ(map.radiance(10, 31).x(), 1);
+    EXPECT_NEAR(map.radiance(10, 32).x(), 3 - 2 * std::exp(-kPi / 64 / 0.06f), 0.1f);
+    for (int y = 33; y < 64; ++y) EXPECT_GT(map.radiance(10, y).x(), map.radiance(10, y - 1).x() - 1e-4f);
+    EXPECT_NEAR(map.radiance(10, 36).x(), 3, 0.4f);  // 13 degrees away
+    EXPECT_NEAR(map.radiance(10, 50).x(), 3, 0.01f);
+}
+
+TEST(DirectionalAccumulator, TakesTheWeightedMeanPerTexel) {
     core::steps::DirectionalAccumulator sum(8);
     const Vector3f d = texelDirection(3, 2, 16, 8);
     sum.add(d, {1, 2, 3});
-    sum.add(d, {3, 2, 1});
-    core::steps::DirectionalAccumulator total(8);
-    total.add(sum, {2, 2, 2});
-    const DirectionalMap map = total.map();
-    EXPECT_EQ(map.coverage(3, 2), 2);
-    EXPECT_TRUE(map.radiance(3, 2).isApprox(Vector3f(4, 4, 4)));
+    sum.add(d, {4, 2, 0}, 0.5f);
+    const DirectionalMap map = sum.map();
+    EXPECT_FLOAT_EQ(map.coverage(3, 2), 1.5f);
+    EXPECT_TRUE(map.radiance(3, 2).isApprox(Vector3f(2, 2, 2)));
     EXPECT_EQ(map.coverage(4, 2), 0);
+    EXPECT_TRUE(map.clipped.empty());
     EXPECT_NEAR(kPi, DirectionalMap::texelSolidAngle(0, 2, 1) / 2, 1e-5f);
+}
+
+TEST(DirectionalAccumulator, ClippedChannelsCountOnlyWhereNothingElseIsKnown) {
+    core::steps::DirectionalAccumulator sum(8);
+    const Vector3f both = texelDirection(3, 2, 16, 8);
+    sum.add(both, {1, 1, 0.5f}, 1, 0b011);
+    sum.add(both, {5, 1, 0.7f}, 1, 0b010);
+    sum.add(both, {1, 1, 0.6f}, 1, 0b011);
+    const Vector3f never = texelDirection(5, 2, 16, 8);
+    sum.add(never, {2, 2, 2});
+    const DirectionalMap map = sum.map();
+    EXPECT_FLOAT_EQ(map.radiance(3, 2).x(), 5);
+    EXPECT_FLOAT_EQ(map.radiance(3, 2).y(), 1);
+    EXPECT_FLOAT_EQ(map.radiance(3, 2).z(), 0.6f);
+    EXPECT_EQ(map.clipped(3, 2), 0b010);
+    EXPECT_EQ(map.clipped(5, 2), 0);
+    EXPECT_EQ(map.clipped(7, 2), 0);
 }
 
 }  // namespace

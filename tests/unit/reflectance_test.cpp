@@ -47,6 +47,40 @@ TEST_F(MirrorSphere, ReflectanceIsFound) {
     EXPECT_EQ(analysis->findReflectance(1), nullptr);
 }
 
+TEST_F(MirrorSphere, LobeIsFoundToBeNarrow) {
+    const core::Reflectance& r = *analysis->reflectances[0];
+    EXPECT_TRUE(r.alphaReliable);
+    // A pixel of this small picture mirrors a cone of about two degrees itself.
+    EXPECT_LT(r.alpha, 0.03f);
+}
+
+TEST_F(MirrorSphere, UsersLobeWidthReplacesTheEstimate) {
+    core::Scene edited = scene;
+    edited.findSegment(2)->lobeWidth = 0.2f;
+    core::AnalysisPipeline pipeline;
+    EXPECT_EQ(pipeline.run(edited)->reflectances[0]->alpha, 0.2f);
+}
+
+TEST_F(MirrorSphere, UsersMapCompletesWhatWasNotSeen) {
+    core::Scene edited = scene;
+    edited.environment.image = std::make_shared<core::ImageRgb>(64, 32, Vector3f(7, 7, 7));
+    edited.environment.path = "seven.exr";
+    edited.environment.use = core::EnvironmentUse::Complete;
+    core::AnalysisPipeline pipeline;
+    const auto result = pipeline.run(edited);
+    const DirectionalMap& map = *result->environment;
+    ASSERT_EQ(map.radiance.height(), 64);
+    int far = 0;
+    for (std::size_t i = 0; i < map.radiance.size(); ++i) {
+        if (map.coverage[i] > 0) {
+            EXPECT_EQ(map.radiance[i], analysis->environment->radiance[i]);
+        } else if (map.radiance[i].isApprox(Vector3f(7, 7, 7), 0.02f)) {
+            ++far;
+        }
+    }
+    EXPECT_GT(far, 500);
+}
+
 TEST_F(MirrorSphere, ReflectedMapHoldsWhatTheSphereShows) {
     // Directions above the floor: the sphere shows ρ times the environment there.
     const DirectionalMap& map = analysis->reflectances[0]->reflected;
@@ -188,7 +222,7 @@ TEST(UserEnvironment, TurnsScalesAndCoversEverything) {
     core::ImageRgb image(64, 32);
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 64; ++x) image(x, y) = Vector3f(static_cast<float>(x), static_cast<float>(y), 1);
-    const DirectionalMap map = core::steps::userEnvironment(image, 2 * 3.14159265f / 4, 2, {});
+    const DirectionalMap map = core::steps::userEnvironment(image, 2 * 3.14159265f / 4, 2, 32, {});
     EXPECT_EQ(map.radiance.width(), 64);
     for (const float c : map.coverage.pixels()) EXPECT_EQ(c, 1);
     // A quarter turn to the right: what was in front is on the right now.
@@ -199,7 +233,7 @@ TEST(UserEnvironment, TurnsScalesAndCoversEverything) {
 
 TEST(UserEnvironment, LargeAndOddSizesKeepTheirMean) {
     core::ImageRgb image(3000, 1100, Vector3f(0.2f, 0.4f, 0.8f));
-    const DirectionalMap map = core::steps::userEnvironment(image, 0.3f, 1, {});
+    const DirectionalMap map = core::steps::userEnvironment(image, 0.3f, 1, 1024, {});
     EXPECT_EQ(map.radiance.height(), 1024);
     EXPECT_EQ(map.radiance.width(), 2048);
     EXPECT_TRUE(map.mean().isApprox(Vector3f(0.2f, 0.4f, 0.8f), 1e-4f));
