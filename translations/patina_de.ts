@@ -296,6 +296,78 @@
 <context>
     <name>ui::EnvironmentPanel</name>
     <message>
+        <source>What the loaded map does</source>
+        <translation>Was die geladene Karte tut</translation>
+    </message>
+    <message>
+        <source>A loaded map is all of the light, or only what the photograph does not show of it</source>
+        <translation>Eine geladene Karte ist das ganze Licht oder nur das, was das Foto davon nicht zeigt</translation>
+    </message>
+    <message>
+        <source>Replaces the recovered light</source>
+        <translation>Ersetzt das gewonnene Licht</translation>
+    </message>
+    <message>
+        <source>Completes the recovered light</source>
+        <translation>Ergänzt das gewonnene Licht</translation>
+    </message>
+    <message>
+        <source>Unseen directions</source>
+        <translation>Ungesehene Richtungen</translation>
+    </message>
+    <message>
+        <source>How directions that nothing in the photograph shows are filled</source>
+        <translation>Wie Richtungen gefüllt werden, die nichts im Foto zeigt</translation>
+    </message>
+    <message>
+        <source>Gaps: smooth</source>
+        <translation>Lücken: glatt</translation>
+    </message>
+    <message>
+        <source>Gaps: inverse distance (Shepard)</source>
+        <translation>Lücken: inverser Abstand (Shepard)</translation>
+    </message>
+    <message>
+        <source>Lobe width by hand</source>
+        <translation>Keulenbreite von Hand</translation>
+    </message>
+    <message>
+        <source>Replace the estimated width of the segment&apos;s reflections (GGX alpha)</source>
+        <translation>Die geschätzte Breite der Spiegelungen des Segments ersetzen (GGX-Alpha)</translation>
+    </message>
+    <message>
+        <source>Lobe width</source>
+        <translation>Keulenbreite</translation>
+    </message>
+    <message>
+        <source>How blurred the segment&apos;s reflections are in the photograph (GGX alpha)</source>
+        <translation>Wie unscharf die Spiegelungen des Segments im Foto sind (GGX-Alpha)</translation>
+    </message>
+    <message>
+        <source>Change use of the map</source>
+        <translation>Verwendung der Karte ändern</translation>
+    </message>
+    <message>
+        <source>Change filling of gaps</source>
+        <translation>Füllen der Lücken ändern</translation>
+    </message>
+    <message>
+        <source>Set lobe width</source>
+        <translation>Keulenbreite setzen</translation>
+    </message>
+    <message>
+        <source>Estimate lobe width</source>
+        <translation>Keulenbreite schätzen</translation>
+    </message>
+    <message>
+        <source>Lobe width %1, estimated</source>
+        <translation>Keulenbreite %1, geschätzt</translation>
+    </message>
+    <message>
+        <source>Lobe width %1, assumed: nothing with detail is reflected</source>
+        <translation>Keulenbreite %1, angenommen: es spiegelt sich nichts mit Einzelheiten</translation>
+    </message>
+    <message>
         <source>Map shown</source>
         <translation>Gezeigte Karte</translation>
     </message>
@@ -909,6 +981,10 @@
 </context>
 <context>
     <name>ui::MapView</name>
+    <message>
+        <source>clipped by the camera, estimated</source>
+        <translation>von der Kamera abgeschnitten, geschätzt</translation>
+    </message>
     <message>
         <source>azimuth %1°, elevation %2°: %3, %4, %5; %6</source>
         <translation>Azimut %1°, Höhe %2°: %3, %4, %5; %6</translation>

@@ -84,14 +84,28 @@ EnvironmentPanel::EnvironmentPanel(Workspace& workspace, QWidget* parent) : Pane
                              .logarithmic = true,
                              .decimals = 2},
                             [](core::Scene& scene, float v) { scene.environment.scale = v; });
+    use_ = new QComboBox(file);
+    use_->setObjectName(QStringLiteral("environmentUse"));
+    use_->setAccessibleName(tr("What the loaded map does"));
+    use_->setToolTip(tr("A loaded map is all of the light, or only what the photograph does not show of it"));
+    use_->addItem(tr("Replaces the recovered light"), static_cast<int>(core::EnvironmentUse::Replace));
+    use_->addItem(tr("Completes the recovered light"), static_cast<int>(core::EnvironmentUse::Complete));
+    fill_ = new QComboBox(file);
+    fill_->setObjectName(QStringLiteral("environmentFill"));
+    fill_->setAccessibleName(tr("Unseen directions"));
+    fill_->setToolTip(tr("How directions that nothing in the photograph shows are filled"));
+    fill_->addItem(tr("Gaps: smooth"), static_cast<int>(core::EnvironmentFill::Membrane));
+    fill_->addItem(tr("Gaps: inverse distance (Shepard)"), static_cast<int>(core::EnvironmentFill::Shepard));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(load_);
     buttons->addWidget(recover_);
     auto* fileLayout = new QVBoxLayout(file);
     fileLayout->addWidget(source_);
     fileLayout->addLayout(buttons);
+    fileLayout->addWidget(use_);
     fileLayout->addWidget(rotation_);
     fileLayout->addWidget(scale_);
+    fileLayout->addWidget(fill_);
 
     auto* reflectance = new QGroupBox(tr("Reflectance of the segment"), this);
     rho_ = new QLabel(reflectance);
@@ -104,9 +118,24 @@ EnvironmentPanel::EnvironmentPanel(Workspace& workspace, QWidget* parent) : Pane
     auto* byHand = new QHBoxLayout;
     byHand->addWidget(rhoByHand_);
     byHand->addWidget(rhoColor_, 1);
+    lobeByHand_ = new QCheckBox(tr("Lobe width by hand"), reflectance);
+    lobeByHand_->setObjectName(QStringLiteral("lobeByHand"));
+    lobeByHand_->setToolTip(tr("Replace the estimated width of the segment's reflections (GGX alpha)"));
+    lobe_ = addSegmentSlider({.key = "lobeWidth",
+                              .label = tr("Lobe width"),
+                              .unit = {},
+                              .toolTip = tr("How blurred the segment's reflections are in the photograph (GGX alpha)"),
+                              .minimum = 0.005,
+                              .maximum = 0.5,
+                              .initial = 0.05,
+                              .logarithmic = true,
+                              .decimals = 3},
+                             [](core::Segment& segment, float v) { segment.lobeWidth = v; });
     auto* reflectanceLayout = new QVBoxLayout(reflectance);
     reflectanceLayout->addWidget(rho_);
     reflectanceLayout->addLayout(byHand);
+    reflectanceLayout->addWidget(lobeByHand_);
+    reflectanceLayout->addWidget(lobe_);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
@@ -134,6 +163,24 @@ EnvironmentPanel::EnvironmentPanel(Workspace& workspace, QWidget* parent) : Pane
             scene.environment.path.clear();
             scene.environment.image.reset();
         });
+    });
+    connect(use_, &QComboBox::activated, this, [this](int index) {
+        const auto use = static_cast<core::EnvironmentUse>(use_->itemData(index).toInt());
+        this->workspace().editScene(tr("Change use of the map"),
+                                    [use](core::Scene& scene) { scene.environment.use = use; });
+    });
+    connect(fill_, &QComboBox::activated, this, [this](int index) {
+        const auto fill = static_cast<core::EnvironmentFill>(fill_->itemData(index).toInt());
+        this->workspace().editScene(tr("Change filling of gaps"),
+                                    [fill](core::Scene& scene) { scene.environment.fill = fill; });
+    });
+    connect(lobeByHand_, &QCheckBox::clicked, this, [this](bool on) {
+        const auto value = static_cast<float>(lobe_->value());
+        this->workspace().editSelected(on ? tr("Set lobe width") : tr("Estimate lobe width"),
+                                       [&](core::Segment& segment) {
+                                           segment.lobeWidth.reset();
+                                           if (on) segment.lobeWidth = value;
+                                       });
     });
     connect(rhoByHand_, &QCheckBox::clicked, this, [this](bool on) {
         const core::Vector3f value = rhoColor_->color();
@@ -196,6 +243,10 @@ void EnvironmentPanel::refresh() {
     scale_->setEnabled(workspace().hasPhoto());
     rotation_->setValue(static_cast<double>(environment.rotation * kDegrees));
     scale_->setValue(static_cast<double>(environment.scale));
+    use_->setEnabled(loaded);
+    use_->setCurrentIndex(use_->findData(static_cast<int>(environment.use)));
+    fill_->setEnabled(workspace().hasPhoto() && !loaded);
+    fill_->setCurrentIndex(fill_->findData(static_cast<int>(environment.fill)));
     refreshReflectance();
 }
 
@@ -204,11 +255,16 @@ void EnvironmentPanel::refreshReflectance() {
     const bool glossy = segment != nullptr && segment->glossy;
     rhoByHand_->setEnabled(glossy);
     rhoColor_->setEnabled(glossy && segment->reflectance.has_value());
+    lobeByHand_->setEnabled(glossy);
+    lobe_->setEnabled(glossy && segment->lobeWidth.has_value());
     if (!glossy) {
         rho_->setText(tr("Select a segment flagged as glossy."));
         rhoByHand_->setChecked(false);
+        lobeByHand_->setChecked(false);
         return;
     }
+    lobeByHand_->setChecked(segment->lobeWidth.has_value());
+    if (segment->lobeWidth) lobe_->setValue(static_cast<double>(*segment->lobeWidth));
     rhoByHand_->setChecked(segment->reflectance.has_value());
     const auto& analysis = workspace().analysis();
     const core::Reflectance* found = analysis != nullptr ? analysis->findReflectance(segment->label) : nullptr;
@@ -218,6 +274,7 @@ void EnvironmentPanel::refreshReflectance() {
         return;
     }
     if (!segment->reflectance) rhoColor_->setColor(found->rho);
+    if (!segment->lobeWidth) lobe_->setValue(static_cast<double>(found->alpha));
     QString text = tr("ρ = %1, %2, %3")
                        .arg(static_cast<double>(found->rho.x()), 0, 'f', 3)
                        .arg(static_cast<double>(found->rho.y()), 0, 'f', 3)
@@ -230,6 +287,11 @@ void EnvironmentPanel::refreshReflectance() {
     } else {
         text += tr(", from %1 sr known both ways").arg(static_cast<double>(found->commonSolidAngle), 0, 'f', 2);
     }
+    if (!segment->lobeWidth)
+        text += '\n' + (found->alphaReliable
+                            ? tr("Lobe width %1, estimated").arg(static_cast<double>(found->alpha), 0, 'f', 3)
+                            : tr("Lobe width %1, assumed: nothing with detail is reflected")
+                                  .arg(static_cast<double>(found->alpha), 0, 'f', 3));
     rho_->setText(text);
 }
 

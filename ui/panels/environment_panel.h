@@ -17,8 +17,8 @@ class ColorButton;
 class MapView;
 class ParamSlider;
 
-/// The light: the scene's environment and, for the selected glossy segment, L_S, L_G and the reflectance ρ; a map from
-/// a file in place of the recovered one.
+/// The light: the scene's environment and, for the selected glossy segment, L_S, L_G, the reflectance ρ and the
+/// lobe width; a map from a file in place of the recovered one, or to complete it.
 class EnvironmentPanel : public Panel {
     Q_OBJECT
   public:
@@ -44,9 +44,13 @@ class EnvironmentPanel : public Panel {
     QPushButton* recover_ = nullptr;
     ParamSlider* rotation_ = nullptr;
     ParamSlider* scale_ = nullptr;
+    QComboBox* use_ = nullptr;
+    QComboBox* fill_ = nullptr;
     QLabel* rho_ = nullptr;
     QCheckBox* rhoByHand_ = nullptr;
     ColorButton* rhoColor_ = nullptr;
+    QCheckBox* lobeByHand_ = nullptr;
+    ParamSlider* lobe_ = nullptr;
     std::unique_ptr<BackgroundTask> loading_;
 };
 

@@ -48,6 +48,8 @@ void MapView::rebuild() {
         for (int y = 0; y < image_.height(); ++y) {
             auto* row = reinterpret_cast<QRgb*>(image_.scanLine(y));
             for (int x = 0; x < image_.width(); ++x) {
+                if (map_.clipped.contains(x, y) && map_.clipped(x, y) != 0 && (x + y) % kHatch == 0)
+                    row[x] = qRgb(220, 60, 160);
                 if (map_.coverage(x, y) > 0) continue;
                 const bool line = (x + y) % kHatch == 0;
                 row[x] = line ? qRgb(235, 120, 60)
@@ -91,13 +93,16 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
     const int y = std::min(static_cast<int>(v * map_.radiance.height()), map_.radiance.height() - 1);
     const core::Vector3f& value = map_.radiance(x, y);
     const double seen = map_.coverage.contains(x, y) ? static_cast<double>(map_.coverage(x, y)) : 0.0;
+    const bool clipped = map_.clipped.contains(x, y) && map_.clipped(x, y) != 0;
     emit hovered(tr("azimuth %1°, elevation %2°: %3, %4, %5; %6")
                      .arg((u - 0.5) * 360, 0, 'f', 0)
                      .arg((0.5 - v) * 180, 0, 'f', 0)
                      .arg(static_cast<double>(value.x()), 0, 'g', 3)
                      .arg(static_cast<double>(value.y()), 0, 'g', 3)
                      .arg(static_cast<double>(value.z()), 0, 'g', 3)
-                     .arg(seen > 0 ? tr("observed") : tr("interpolated")));
+                     .arg(clipped    ? tr("clipped by the camera, estimated")
+                          : seen > 0 ? tr("observed")
+                                     : tr("interpolated")));
 }
 
 void MapView::leaveEvent(QEvent* event) {
