@@ -22,12 +22,17 @@
 #include <QVulkanInstance>
 #include <algorithm>
 
+#include "core/analysis_notes.h"
 #include "gpu/error.h"
 #include "gpu/instance.h"
 #include "ui/panels/registry.h"
 #include "ui/vulkan_support.h"
 
 namespace ui {
+
+namespace {
+constexpr int kAnalysisNotesMilliseconds = 15000;
+}
 
 MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWindow(parent), options_(options) {
     setObjectName(QStringLiteral("mainWindow"));
@@ -182,6 +187,13 @@ void MainWindow::analysisFinished(const std::shared_ptr<const AnalysisResult>& r
     canvas_->setScene(current ? workspace_.scene() : result->scene, result->analysis);
     refreshLayerPicture();
     updateProgress();
+    if (!current) return;
+    QStringList notes;
+    for (const std::string& note : core::analysisNotes(workspace_.scene(), *result->analysis))
+        notes << QString::fromStdString(note);
+    if (notes == analysisNotes_) return;
+    analysisNotes_ = notes;
+    if (!notes.isEmpty()) statusBar()->showMessage(notes.join(' '), kAnalysisNotesMilliseconds);
 }
 
 void MainWindow::setLayer(ViewLayer layer) {

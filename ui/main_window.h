@@ -114,6 +114,7 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<BackgroundTask> layerTask_;
     QProgressDialog* progressDialog_ = nullptr;
     bool analysing_ = false;
+    QStringList analysisNotes_;  ///< last shown
     QString analysisStep_;
     bool closing_ = false;
     ViewLayer layer_ = ViewLayer::Result;

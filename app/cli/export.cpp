@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/cli/session.h"
+#include "core/analysis_notes.h"
 #include "core/io/cryptomatte.h"
 #include "core/io/image_io.h"
 #include "core/pipeline.h"
@@ -96,6 +97,7 @@ void exportLayer(const std::string& project, const std::string& name, const std:
     }
     const std::shared_ptr<const Analysis> analysis = core::AnalysisPipeline().run(scene, makeStepContext());
     finishProgress();
+    printNotes(core::analysisNotes(scene, *analysis));
     if (!perSegment) return analysed->save(scene, *analysis, output);
     const core::Reflectance* reflectance = analysis->findReflectance(*label);
     if (reflectance == nullptr)

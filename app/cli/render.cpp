@@ -7,6 +7,7 @@
 
 #include "app/cli/devices.h"
 #include "app/cli/session.h"
+#include "core/analysis_notes.h"
 #include "core/io/image_io.h"
 #include "core/io/project.h"
 #include "core/pipeline.h"
@@ -25,6 +26,7 @@ struct Arguments {
     std::uint32_t seed = 1;
     std::string environment;
     std::string backDepth;
+    bool completeEnvironment = false;
     bool noFilter = false;
     std::string output;
 };
@@ -64,6 +66,8 @@ void render(const Arguments& args, bool samplesGiven, bool bouncesGiven, bool se
     if (!args.environment.empty()) {
         scene.environment.path = args.environment;
         scene.environment.image = core::loadEnvironment(args.environment);
+        scene.environment.use =
+            args.completeEnvironment ? core::EnvironmentUse::Complete : core::EnvironmentUse::Replace;
     }
     if (!args.backDepth.empty()) {
         scene.backDepthPath = args.backDepth;
@@ -81,6 +85,7 @@ void render(const Arguments& args, bool samplesGiven, bool bouncesGiven, bool se
     const gpu::Device device = openDevice(session);
     const core::StepContext context = makeStepContext();
     const std::shared_ptr<const core::Analysis> analysis = core::AnalysisPipeline().run(scene, context);
+    printNotes(core::analysisNotes(scene, *analysis));
     const core::ImageRgb result = render::renderImage(device, scene, analysis, context);
     finishProgress();
     core::saveColor(result, args.output);
@@ -119,10 +124,14 @@ void addRender(CLI::App& app, Session& session) {
                                ->type_name("N")
                                ->check(CLI::Range(1, 64));
     CLI::Option* seed = command->add_option("--seed", args->seed, "Seed of the random numbers")->type_name("N");
+    CLI::Option* environment = command
+                                   ->add_option("--environment", args->environment,
+                                                "Use this latitude-longitude map instead of the recovered light")
+                                   ->type_name("FILE");
     command
-        ->add_option("--environment", args->environment,
-                     "Use this latitude-longitude map instead of the recovered light")
-        ->type_name("FILE");
+        ->add_flag("--complete-environment", args->completeEnvironment,
+                   "Let the map of --environment only fill the directions that the photograph does not show")
+        ->needs(environment);
     command->add_option("--back-depth", args->backDepth, "Use these back sides instead of invented ones")
         ->type_name("FILE");
     command
