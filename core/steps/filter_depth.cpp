@@ -61,13 +61,19 @@ Kernel makeKernel(int step, float sigma) {
     return kernel;
 }
 
-/// Tukey's biweight of a squared residual in units of its limit: 1 at 0, 0 from 1 on. Close to a Gaussian whose σ is
+/// Weight of a squared residual of depth in units of its range, after Geman and McClure: falls with the fourth power,
+/// so that a lone outlier is drawn back to its surface and one surface does not feel another.
+float robustWeight(float squared) { return 1 / ((1 + squared) * (1 + squared)); }
+constexpr float kFarthest = 64;  ///< squared residual beyond which a pair is of another surface
+
+/// Tukey's biweight of a squared difference in units of its limit: 1 at 0, 0 from 1 on. Close to a Gaussian whose σ is
 /// `kLimit` times smaller than the limit, without its exponential.
 float biweight(float squared) {
     const float t = std::max(1 - squared, 0.0f);
     return t * t;
 }
 constexpr float kLimit = 2.18f;
+constexpr float kRange = 1.7f;  ///< of `robustWeight`, in σ of the Gaussian it stands for
 
 /// What one pass needs to know.
 struct Pass {
@@ -75,7 +81,7 @@ struct Pass {
     const Image<std::uint32_t>& color;
     const LabelImage& labels;
     Kernel kernel;
-    NoiseCurve range;       ///< limit of a pair's residual [1/m]
+    NoiseCurve range;       ///< of a pair's residual [1/m]: at this one its weight is a quarter
     float colorFactor = 0;  ///< 1 / (limit of colour differences)²
 
     [[nodiscard]] float filtered(int x, int y) const {
@@ -96,9 +102,9 @@ struct Pass {
             const float wb = inverseDepth[b];
             const float residual = 0.5f * (wa + wb) - w;
             const float squared = residual * residual * factor;
-            if (squared >= 1 || wa <= 0 || wb <= 0 || labels[a] != label || labels[b] != label) continue;
+            if (squared >= kFarthest || wa <= 0 || wb <= 0 || labels[a] != label || labels[b] != label) continue;
             const float k =
-                pair.weight * biweight(squared) *
+                pair.weight * robustWeight(squared) *
                 biweight((squaredDistance(color[a], center) + squaredDistance(color[b], center)) * colorFactor);
             sum += k * residual;
             weight += k;
@@ -132,7 +138,7 @@ ImageF filterAutomatically(ImageF w, const Image<std::uint32_t>& color, const La
     const float colorFactor = 1 / (kLimit * kLimit * kAutomaticColorSigma * kAutomaticColorSigma);
     const int base = std::max(1, static_cast<int>(std::lround(pixelsPerSample)));
     constexpr float kMinTilt = 0.02f;   // [rad], about a degree
-    constexpr float kAllowance = 6.0f;  // limit of residuals in σ of what is left: keeps most of what is noise
+    constexpr float kAllowance = 4.0f;  // range in σ of what is left: keeps most of what is noise
     for (int k = 0; k < kMaxPasses; ++k) {
         const int step = base << k;
         // Uncorrelated noise halves with every pass at least; correlated noise only once taps are farther apart.
@@ -164,7 +170,7 @@ ImageF filterByHand(ImageF w, const Image<std::uint32_t>& color, const LabelImag
     NoiseCurve range;
     range.cellsPerUnit = 1;  // σ(1/z) = σ(z)/z · 1/z
     for (std::size_t i = 0; i < range.sigma.size(); ++i)
-        range.sigma[i] = kLimit * params.depthSigma * static_cast<float>(i);
+        range.sigma[i] = kRange * params.depthSigma * static_cast<float>(i);
     // Variances add up: passes with a σ of t, 2t, 4t, ... pixels.
     int passes = 1;
     float variance = 1;
