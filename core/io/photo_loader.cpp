@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/photo_loader.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -10,6 +11,7 @@
 #include "core/io/import/import_format.h"
 #include "core/io/orientation.h"
 #include "core/io/project.h"
+#include "core/io/upsample_depth.h"
 
 namespace core {
 
@@ -142,16 +144,43 @@ double chooseUnit(const PhotoRequest& request, const std::string& depthPath, con
                                       "(--depth-unit).");
 }
 
-/// Stored values in the photograph's layout to planar z on its raster.
-ImageF fitDepth(const ImageF& stored, DepthKind kind, double unit, const Camera& camera, const std::string& path,
-                std::vector<std::string>* notes) {
+/// Stored values in the photograph's layout to planar z, still at their own resolution.
+ImageF planarDepthInside(const Camera& camera, const ImageF& stored, DepthKind kind, double unit) {
     const float sx = static_cast<float>(stored.width()) / static_cast<float>(camera.width);
     const float sy = static_cast<float>(stored.height()) / static_cast<float>(camera.height);
     const Camera own{stored.width(), stored.height(), camera.fx * sx, camera.fy * sy, camera.cx * sx, camera.cy * sy};
-    if (stored.width() != camera.width)
-        note(notes, "The depth in \"" + path + "\" (" + sizeText(stored.width(), stored.height()) +
-                        ") is enlarged to the colour image (" + sizeText(camera.width, camera.height) + ").");
-    return enlarge(planarDepth(stored, kind, unit, own), camera);
+    return planarDepth(stored, kind, unit, own);
+}
+
+/// To the photograph's raster, with its outlines.
+void enlargeDepth(Photo& photo, const std::string& path, std::vector<std::string>* notes) {
+    const int width = photo.depth.width();
+    const int height = photo.depth.height();
+    const Camera& camera = photo.camera;
+    if (width == camera.width && height == camera.height) return;
+    note(notes, "The depth in \"" + path + "\" (" + sizeText(width, height) + ") is enlarged to the colour image (" +
+                    sizeText(camera.width, camera.height) + ").");
+    photo.depth = upsampleDepth(photo.depth, camera.width, camera.height, &photo.color);
+    photo.depthStep = std::max({1.0f, static_cast<float>(camera.width) / static_cast<float>(width),
+                                static_cast<float>(camera.height) / static_cast<float>(height)});
+}
+
+/// A wrong unit shows in the median: no photograph is of things nearer or farther than this.
+void noteImplausibleDepth(const ImageF& depth, const std::string& path, double unit, std::vector<std::string>* notes) {
+    constexpr float kNearest = 0.05f;
+    constexpr float kFarthest = 1000;
+    std::vector<float> valid;
+    for (const float z : depth.pixels())
+        if (z > 0) valid.push_back(z);
+    const auto middle = valid.begin() + static_cast<std::ptrdiff_t>(valid.size() / 2);
+    std::ranges::nth_element(valid, middle);
+    if (*middle >= kNearest && *middle <= kFarthest) return;
+    std::ostringstream text;
+    text << "The median depth in \"" << path << "\" is " << *middle << " m with a unit of " << unit << " m, expected "
+         << kNearest << " to " << kFarthest
+         << " m: the unit is probably wrong. Give the metres per stored unit, 0.001 for millimetres and 1 for metres "
+            "(--depth-unit), or the right kind of depth (--depth-kind).";
+    note(notes, text.str());
 }
 
 ImageF readDepthFile(const std::string& path, const Camera& camera, int colorOrientation, const std::string& colorPath,
@@ -186,8 +215,8 @@ std::optional<ImportedPhoto> importPhoto(const PhotoSource& source) {
 }
 
 /// Depth from inside the photograph's file; completes `source` by what the file says.
-ImageF fitImportedDepth(const ImportedPhoto& imported, const PhotoRequest& request, PhotoSource& source,
-                        const Camera& camera, std::vector<std::string>* notes) {
+ImageF importedDepth(const ImportedPhoto& imported, const PhotoRequest& request, PhotoSource& source,
+                     const Camera& camera, std::vector<std::string>* notes) {
     if (imported.kind) {
         if (source.depthKind != DepthKind::Z && source.depthKind != *imported.kind)
             throw Error(ErrorKind::Usage, "The depth kind is \"" + std::string(depthKindKey(source.depthKind)) +
@@ -199,7 +228,7 @@ ImageF fitImportedDepth(const ImportedPhoto& imported, const PhotoRequest& reque
     source.depthUnit = given.value_or(imported.unit);
     if (!given && !imported.assumedUnit.empty()) note(notes, imported.assumedUnit);
     const ImageF stored = matchOrientation(imported.depth, source.color, "Depth image", camera, 1, 1, source.color);
-    return fitDepth(stored, source.depthKind, source.depthUnit, camera, source.color, notes);
+    return planarDepthInside(camera, stored, source.depthKind, source.depthUnit);
 }
 
 void requireValidDepth(const ImageF& depth, const std::string& path) {
@@ -248,14 +277,22 @@ std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, std::vector<
     photo->camera = chooseCamera(request, info, imported ? imported->camera : std::nullopt, notes);
     const Camera& camera = photo->camera;
     if (source.depth.empty()) {
-        photo->depth = fitImportedDepth(*imported, request, source, camera, notes);
+        photo->depth = importedDepth(*imported, request, source, camera, notes);
     } else {
         source.depthUnit = chooseUnit(request, source.depth, storedFormat(source.depth));
-        photo->depth = fitDepth(readDepthFile(source.depth, camera, info.orientation, source.color, "Depth image"),
-                                source.depthKind, source.depthUnit, camera, source.depth, notes);
+        photo->depth = planarDepthInside(
+            camera, readDepthFile(source.depth, camera, info.orientation, source.color, "Depth image"),
+            source.depthKind, source.depthUnit);
     }
-    requireValidDepth(photo->depth, source.depth.empty() ? source.color : source.depth);
+    const std::string& depthPath = source.depth.empty() ? source.color : source.depth;
+    requireValidDepth(photo->depth, depthPath);
+    noteImplausibleDepth(photo->depth, depthPath, source.depthUnit, notes);
     photo->color = imported ? std::move(imported->color) : loadColor(source.color);
+    if (imported)
+        photo->clipLevel = imported->clipLevel;
+    else if (!info.format.floating)
+        photo->clipLevel = 1;
+    enlargeDepth(*photo, depthPath, notes);
     if (imported)
         for (const std::string& remark : imported->remarks) note(notes, remark);
     if (source.segments.empty()) {
@@ -279,10 +316,10 @@ std::shared_ptr<const ImageRgb> loadEnvironment(const std::string& path) {
 
 std::shared_ptr<const ImageF> loadBackDepth(const std::string& path, const Camera& camera) {
     const StoredFormat format = storedFormat(path);
-    auto depth = std::make_shared<ImageF>(fitDepth(readDepthFile(path, camera, 1, "the photograph", "Back depth image"),
-                                                   DepthKind::Z, format.floating ? 1.0 : 0.001, camera, path, nullptr));
-    requireValidDepth(*depth, path);
-    return depth;
+    const ImageF depth = planarDepthInside(camera, readDepthFile(path, camera, 1, "the photograph", "Back depth image"),
+                                           DepthKind::Z, format.floating ? 1.0 : 0.001);
+    requireValidDepth(depth, path);
+    return std::make_shared<ImageF>(upsampleDepth(depth, camera.width, camera.height, nullptr));
 }
 
 }  // namespace core

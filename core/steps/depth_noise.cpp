@@ -108,26 +108,38 @@ float cellCentre(const NoiseCurve& curve, std::size_t cell) {
     return curve.first + static_cast<float>(cell) / curve.cellsPerUnit;
 }
 
-/// Distance between neighbouring stored values over inverse depth; zero when nearly every pixel has a value of its own.
-NoiseCurve quantisation(const ImageF& w, const Range& range) {
+/// Distance between neighbouring stored values over inverse depth. In an enlarged map these are the values that occur
+/// often, since interpolation adds others in between. Zero when nearly every pixel has a value of its own, and when the
+/// values are so far apart that they are separate surfaces.
+NoiseCurve quantisation(const ImageF& w, bool enlarged, const Range& range) {
+    const float same = enlarged ? 1e-5f : 0;  // relative; rounding of floats
+    constexpr float kLargest = 0.02f;         // relative
     NoiseCurve curve = curveOver(range);
     std::vector<float> values;
     const std::size_t stride = w.size() / 200000 + 1;
     for (std::size_t i = 0; i < w.size(); i += stride)
         if (w[i] > 0) values.push_back(w[i]);
-    const std::size_t count = values.size();
     std::ranges::sort(values);
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-    if (values.size() < 3 || values.size() * 4 > count) return curve;
+    const std::size_t often = enlarged ? std::max<std::size_t>(4, values.size() / 4000) : 1;
+    std::vector<float> stored;
+    std::size_t held = 0;
+    for (std::size_t i = 0, next = 0; i < values.size(); i = next) {
+        while (next < values.size() && values[next] <= values[i] * (1 + same)) ++next;
+        if (next - i < often) continue;
+        stored.push_back(values[i]);
+        held += next - i;
+    }
+    if (stored.size() < 3 || stored.size() * 4 > held || held * 5 < values.size() * 2) return curve;
     std::array<std::vector<float>, NoiseCurve::kCells> gaps;
     std::vector<float> all;
-    for (std::size_t i = 1; i < values.size(); ++i) {
+    for (std::size_t i = 1; i < stored.size(); ++i) {
         const auto cell = static_cast<std::size_t>(
-            std::clamp((values[i] - curve.first) * curve.cellsPerUnit + 0.5f, 0.0f, NoiseCurve::kCells - 1.0f));
-        gaps[cell].push_back(values[i] - values[i - 1]);
-        all.push_back((values[i] - values[i - 1]) / values[i]);
+            std::clamp((stored[i] - curve.first) * curve.cellsPerUnit + 0.5f, 0.0f, NoiseCurve::kCells - 1.0f));
+        gaps[cell].push_back(stored[i] - stored[i - 1]);
+        all.push_back((stored[i] - stored[i - 1]) / stored[i]);
     }
     const float relative = quantile(all, 0.5);
+    if (relative > kLargest) return curve;
     for (std::size_t cell = 0; cell < gaps.size(); ++cell)
         curve.sigma[cell] = gaps[cell].size() < 3 ? relative * cellCentre(curve, cell) : quantile(gaps[cell], 0.5);
     return curve;
@@ -225,7 +237,7 @@ DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labe
     for (int k = 0; k < kScales; ++k)
         scales[static_cast<std::size_t>(k)] =
             measureNoise(inverseDepth, labels, base << k, Differences::Fourth, range, context);
-    const NoiseCurve quanta = quantisation(inverseDepth, range);
+    const NoiseCurve quanta = quantisation(inverseDepth, pixelsPerSample > 1.5f, range);
 
     noise.deviation = curveOver(range);
     std::array<float, kScales> total{};

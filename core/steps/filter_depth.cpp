@@ -81,6 +81,7 @@ struct Pass {
     const Image<std::uint32_t>& color;
     const LabelImage& labels;
     Kernel kernel;
+    int reach;              ///< of the kernel [px]
     NoiseCurve range;       ///< of a pair's residual [1/m]: at this one its weight is a quarter
     float colorFactor = 0;  ///< 1 / (limit of colour differences)²
 
@@ -93,19 +94,26 @@ struct Pass {
         const std::uint32_t center = color(x, y);
         float sum = 0;
         float weight = 1;
+        const std::ptrdiff_t width = inverseDepth.width();
+        const bool inside =
+            x >= reach && y >= reach && x + reach < inverseDepth.width() && y + reach < inverseDepth.height();
+        const std::size_t here = inverseDepth.index(x, y);
+        const float* const values = inverseDepth.data() + here;
+        const std::uint16_t* const segments = labels.data() + here;
+        const std::uint32_t* const colors = color.data() + here;
         for (const Pair& pair : kernel) {
-            const int ax = x + pair.dx, ay = y + pair.dy, bx = x - pair.dx, by = y - pair.dy;
-            if (!inverseDepth.contains(ax, ay) || !inverseDepth.contains(bx, by)) continue;
-            const std::size_t a = inverseDepth.index(ax, ay);
-            const std::size_t b = inverseDepth.index(bx, by);
-            const float wa = inverseDepth[a];
-            const float wb = inverseDepth[b];
+            if (!inside &&
+                (!inverseDepth.contains(x + pair.dx, y + pair.dy) || !inverseDepth.contains(x - pair.dx, y - pair.dy)))
+                continue;
+            const std::ptrdiff_t a = pair.dy * width + pair.dx;
+            const float wa = values[a];
+            const float wb = values[-a];
             const float residual = 0.5f * (wa + wb) - w;
             const float squared = residual * residual * factor;
-            if (squared >= kFarthest || wa <= 0 || wb <= 0 || labels[a] != label || labels[b] != label) continue;
+            if (squared >= kFarthest || wa <= 0 || wb <= 0 || segments[a] != label || segments[-a] != label) continue;
             const float k =
                 pair.weight * robustWeight(squared) *
-                biweight((squaredDistance(color[a], center) + squaredDistance(color[b], center)) * colorFactor);
+                biweight((squaredDistance(colors[a], center) + squaredDistance(colors[-a], center)) * colorFactor);
             sum += k * residual;
             weight += k;
         }
@@ -157,7 +165,7 @@ ImageF filterAutomatically(ImageF w, const Image<std::uint32_t>& color, const La
         }
         tilt *= std::max(camera.fx, camera.fy) / static_cast<float>(step);
         if (tilt < kMinTilt && step > static_cast<int>(noise.correlationLength)) break;
-        const Pass pass{w, color, labels, makeKernel(step, 1.0f), scaled(left, kAllowance), colorFactor};
+        const Pass pass{w, color, labels, makeKernel(step, 1.0f), 2 * step, scaled(left, kAllowance), colorFactor};
         ImageF next = run(pass, context, 0.1f + 0.18f * static_cast<float>(k), 0.28f + 0.18f * static_cast<float>(k));
         w = std::move(next);
     }
@@ -178,8 +186,13 @@ ImageF filterByHand(ImageF w, const Image<std::uint32_t>& color, const LabelImag
         variance += static_cast<float>(1 << (2 * passes++));
     const float sigma = std::min(params.spatialSigma / std::sqrt(variance), 1.5f);
     for (int k = 0; k < passes; ++k) {
-        const Pass pass{
-            w, color, labels, makeKernel(1 << k, sigma), range, 1 / (kLimit * kLimit * colorSigma * colorSigma)};
+        const Pass pass{w,
+                        color,
+                        labels,
+                        makeKernel(1 << k, sigma),
+                        2 << k,
+                        range,
+                        1 / (kLimit * kLimit * colorSigma * colorSigma)};
         ImageF next = run(pass, context, 0.1f + 0.18f * static_cast<float>(k), 0.28f + 0.18f * static_cast<float>(k));
         w = std::move(next);
     }

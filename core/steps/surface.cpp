@@ -12,24 +12,39 @@ namespace {
 
 constexpr const char* kName = "Surface";
 constexpr float kMinCosine = 0.02f;
+constexpr float kNothing = 1e9f;  ///< inverse depth [1/m] that is on no plane
 
 /// Fit of one pixel's plane. Plain arithmetic on arrays, the same on every device.
 struct NormalFit {
-    static constexpr int kMaxRadius = 3;
+    static constexpr int kMaxTaps = 25;
+    struct Tap {
+        int dx, dy;          ///< [px]
+        float weight;        ///< by distance
+        float inverseLimit;  ///< 1 / residual relative to the centre that no longer counts
+    };
 
     const Camera& camera;
     const ImageF& depth;
     const LabelImage& labels;
     float relativeNoise;
-    int radius = 1;
-    float falloff = 0;    ///< weight of a tap at a squared distance d²: exp(−falloff·d²)
-    float footprint = 0;  ///< of a pixel, relative to its depth
+    int radius = 1;  ///< of the window [px]
+    int tapCount = 0;
+    Tap taps[kMaxTaps];
 
     NormalFit(const Camera& c, const ImageF& z, const LabelImage& l, float noise)
-        : camera(c), depth(z), labels(l), relativeNoise(noise), footprint(1 / std::min(c.fx, c.fy)) {
+        : camera(c), depth(z), labels(l), relativeNoise(noise) {
         // Detail of exact depth is true; of what was measured it is what the filter left of the noise.
-        if (relativeNoise > 0) radius = kMaxRadius;
-        falloff = 0.5f / static_cast<float>(radius * radius);
+        if (relativeNoise > 0) radius = 2;
+        const float footprint = 1 / std::min(camera.fx, camera.fy);
+        constexpr float kLimit = 1.54f;  // biweight that is close to exp(−r²)
+        for (int dy = -radius; dy <= radius; ++dy) {
+            for (int dx = -radius; dx <= radius; ++dx) {
+                const auto squared = static_cast<float>(dx * dx + dy * dy);
+                const float tolerance = 3 * relativeNoise + footprint * std::sqrt(squared) + 1e-7f;
+                taps[tapCount++] = {dx, dy, std::exp(-squared / static_cast<float>(2 * radius * radius)),
+                                    1 / (kLimit * tolerance)};
+            }
+        }
     }
 
     /// Inverse depth of a pixel of the segment, 0 if there is none.
@@ -65,41 +80,31 @@ struct NormalFit {
         float offset = 0;
         float gu = guessSlope(x, y, 1, 0, label, w);
         float gv = guessSlope(x, y, 0, 1, label, w);
-        constexpr int kSide = 2 * kMaxRadius + 1;
-        float difference[kSide * kSide];
-        bool valid[kSide * kSide];
-        int tap = 0;
-        for (int dy = -radius; dy <= radius; ++dy)
-            for (int dx = -radius; dx <= radius; ++dx, ++tap) {
-                const float value = inverseDepth(x + dx, y + dy, label);
-                valid[tap] = value > 0;
-                difference[tap] = value - w;
-            }
-        constexpr float kLimit = 1.54f;  // biweight that is close to exp(−r²)
+        float difference[kMaxTaps];
+        for (int i = 0; i < tapCount; ++i) {
+            const float value = inverseDepth(x + taps[i].dx, y + taps[i].dy, label);
+            difference[i] = value > 0 ? value - w : kNothing;
+        }
+        const float inverseW = 1 / w;
         for (int iteration = 0; iteration < 2; ++iteration) {
             float s = 0, su = 0, sv = 0, suu = 0, suv = 0, svv = 0, sw = 0, suw = 0, svw = 0;
-            tap = 0;
-            for (int dy = -radius; dy <= radius; ++dy) {
-                for (int dx = -radius; dx <= radius; ++dx, ++tap) {
-                    if (!valid[tap]) continue;
-                    const auto u = static_cast<float>(dx);
-                    const auto v = static_cast<float>(dy);
-                    const float squared = u * u + v * v;
-                    const float tolerance = kLimit * w * (3 * relativeNoise + footprint * std::sqrt(squared) + 1e-7f);
-                    const float residual = (difference[tap] - (offset + gu * u + gv * v)) / tolerance;
-                    const float t = 1 - residual * residual;
-                    if (t <= 0) continue;
-                    const float k = t * t * std::exp(-squared * falloff);
-                    s += k;
-                    su += k * u;
-                    sv += k * v;
-                    suu += k * u * u;
-                    suv += k * u * v;
-                    svv += k * v * v;
-                    sw += k * difference[tap];
-                    suw += k * u * difference[tap];
-                    svw += k * v * difference[tap];
-                }
+            for (int i = 0; i < tapCount; ++i) {
+                const auto u = static_cast<float>(taps[i].dx);
+                const auto v = static_cast<float>(taps[i].dy);
+                const float residual = (difference[i] - (offset + gu * u + gv * v)) * inverseW * taps[i].inverseLimit;
+                const float t = std::max(1 - residual * residual, 0.0f);
+                const float k = t * t * taps[i].weight;
+                const float ku = k * u;
+                const float kv = k * v;
+                s += k;
+                su += ku;
+                sv += kv;
+                suu += ku * u;
+                suv += ku * v;
+                svv += kv * v;
+                sw += k * difference[i];
+                suw += ku * difference[i];
+                svw += kv * difference[i];
             }
             if (s <= 0) break;
             // About the mean; a thin line of pixels says nothing about the slope across it: keep the guess there.

@@ -13,7 +13,7 @@ enum class Side { Front, Back };
 /// Normals by a robust fit of a plane in inverse depth, w = a + gu·Δu + gv·Δv, around every pixel. Neighbours of other
 /// segments do not count, nor do those that depart from the slope on the pixel's smoother side by more than a pixel's
 /// footprint: fits stop at discontinuities and are one-sided beside them. The window is 3×3 on exact depth
-/// (`relativeNoise` = 0), else 7×7. Zero where there is no depth.
+/// (`relativeNoise` = 0), else 5×5. Zero where there is no depth.
 [[nodiscard]] ImageV3 computeNormals(const Camera& camera, const ImageF& depth, const LabelImage& labels, Side side,
                                      float relativeNoise, const char* stepName, const StepContext& context,
                                      float from = 0, float to = 1);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+
 #include "core/io/image_io.h"
 #include "core/io/import/import_format.h"
 
@@ -14,6 +16,7 @@ bool recognises(const ImportFile& file) {
 ImportedPhoto read(const ImportFile& file) {
     ImportedPhoto photo;
     photo.color = loadColor(file.path());
+    photo.clipLevel = std::numeric_limits<float>::infinity();
     photo.depth = loadScalar(file.path());
     photo.focal35mm = readImageInfo(file.path()).focal35mm;
     return photo;

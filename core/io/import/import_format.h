@@ -39,6 +39,7 @@ class ImportFile {
 /// What an import format found in a file.
 struct ImportedPhoto {
     ImageRgb color;                    ///< scene-linear, as displayed
+    float clipLevel = 1;               ///< linear value of the largest code; infinite for floating-point colour
     int orientation = 1;               ///< EXIF orientation that has been applied to `color`
     std::optional<float> focal35mm;    ///< 35 mm equivalent focal length [mm]
     ImageF depth;                      ///< as displayed, may be smaller than `color`; empty = the file has no depth
