@@ -1414,6 +1414,14 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
         <translation>Tiefenkarte filtern</translation>
     </message>
     <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>The filter follows the noise that is measured in the depth map</source>
+        <translation>Der Filter richtet sich nach dem Rauschen, das in der Tiefenkarte gemessen wird</translation>
+    </message>
+    <message>
         <source>Joint bilateral filter: smooth surfaces, sharp outlines</source>
         <translation>Gemeinsamer bilateraler Filter: glatte Flächen, scharfe Umrisse</translation>
     </message>

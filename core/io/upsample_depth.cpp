@@ -11,8 +11,8 @@ namespace core {
 namespace {
 
 constexpr float kJump = 0.03f;         ///< relative difference between neighbours that is an edge, not a slope
-constexpr float kSideShare = 0.25f;    ///< of the range of inverse depths at an edge: closer to its end is a surface
-constexpr float kMixedShare = 0.05f;   ///< where a weight is half, since the pixel may be mixed of both surfaces
+constexpr float kSideShare = 0.15f;    ///< of the range of inverse depths at an edge: closer to its end is a surface
+constexpr float kMixedShare = 0.03f;   ///< where a weight is half, since the pixel may be mixed of both surfaces
 constexpr float kColorRange = 0.12f;   ///< distance of display-encoded colours at which a weight is a quarter
 constexpr float kSpatialSigma = 0.8f;  ///< in pixels of the map
 constexpr int kRadius = 2;             ///< of the window at edges

@@ -108,10 +108,29 @@ float cellCentre(const NoiseCurve& curve, std::size_t cell) {
     return curve.first + static_cast<float>(cell) / curve.cellsPerUnit;
 }
 
+/// Whether depth changes in steps of about `quantum` (relative) where it changes: the rows of an exact floor have one
+/// value each too, but follow each other smoothly.
+bool hasStairs(const ImageF& w, int step, float quantum) {
+    std::vector<float> bends;
+    const int stride = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(w.size()) / 50000)));
+    for (int y = step; y + step < w.height(); y += stride) {
+        for (int x = step; x + step < w.width(); x += stride) {
+            for (const auto& [before, after] :
+                 {std::array{w(x - step, y), w(x + step, y)}, std::array{w(x, y - step), w(x, y + step)}}) {
+                const float here = w(x, y);
+                if (here <= 0 || before <= 0 || after <= 0 || (before == here && after == here)) continue;
+                bends.push_back(std::abs(before - 2 * here + after) / here);
+            }
+        }
+    }
+    return !bends.empty() && quantile(bends, 0.5) > 0.2f * quantum;
+}
+
 /// Distance between neighbouring stored values over inverse depth. In an enlarged map these are the values that occur
 /// often, since interpolation adds others in between. Zero when nearly every pixel has a value of its own, and when the
 /// values are so far apart that they are separate surfaces.
-NoiseCurve quantisation(const ImageF& w, bool enlarged, const Range& range) {
+NoiseCurve quantisation(const ImageF& w, int base, const Range& range) {
+    const bool enlarged = base > 1;
     const float same = enlarged ? 1e-5f : 0;  // relative; rounding of floats
     constexpr float kLargest = 0.02f;         // relative
     NoiseCurve curve = curveOver(range);
@@ -139,7 +158,7 @@ NoiseCurve quantisation(const ImageF& w, bool enlarged, const Range& range) {
         all.push_back((stored[i] - stored[i - 1]) / stored[i]);
     }
     const float relative = quantile(all, 0.5);
-    if (relative > kLargest) return curve;
+    if (relative > kLargest || !hasStairs(w, base, relative)) return curve;
     for (std::size_t cell = 0; cell < gaps.size(); ++cell)
         curve.sigma[cell] = gaps[cell].size() < 3 ? relative * cellCentre(curve, cell) : quantile(gaps[cell], 0.5);
     return curve;
@@ -237,7 +256,7 @@ DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labe
     for (int k = 0; k < kScales; ++k)
         scales[static_cast<std::size_t>(k)] =
             measureNoise(inverseDepth, labels, base << k, Differences::Fourth, range, context);
-    const NoiseCurve quanta = quantisation(inverseDepth, pixelsPerSample > 1.5f, range);
+    const NoiseCurve quanta = quantisation(inverseDepth, base, range);
 
     noise.deviation = curveOver(range);
     std::array<float, kScales> total{};
@@ -256,7 +275,8 @@ DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labe
         if (scales[1].sigma[cell] <= 0) plateau = highest;  // too small a picture to compare scales
         if (plateau < kExact * cellCentre(noise.deviation, cell)) plateau = 0;
         for (std::size_t k = 0; k < kScales; ++k) total[k] += std::min(scales[k].sigma[cell], plateau);
-        const float rounding = quanta.sigma[cell] / std::sqrt(12.0f);
+        float rounding = quanta.sigma[cell] / std::sqrt(12.0f);
+        if (rounding < kExact * cellCentre(noise.deviation, cell)) rounding = 0;
         level += plateau;
         quantised += rounding > plateau ? rounding : 0;
         noise.deviation.sigma[cell] = std::max(plateau, rounding);

@@ -147,7 +147,9 @@ ImageF filterAutomatically(ImageF w, const Image<std::uint32_t>& color, const La
     const int base = std::max(1, static_cast<int>(std::lround(pixelsPerSample)));
     constexpr float kMinTilt = 0.02f;   // [rad], about a degree
     constexpr float kAllowance = 4.0f;  // range in σ of what is left: keeps most of what is noise
-    for (int k = 0; k < kMaxPasses; ++k) {
+    // An enlarged map is smooth between its own pixels already.
+    const int passes = base > 1 ? 3 : kMaxPasses;
+    for (int k = 0; k < passes; ++k) {
         const int step = base << k;
         // Uncorrelated noise halves with every pass at least; correlated noise only once taps are farther apart.
         const float predicted =

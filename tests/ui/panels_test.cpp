@@ -256,6 +256,10 @@ TEST_F(Panels, RenderingNumbersReachTheScene) {
     test::child<QSpinBox>(panel, "renderSamples")->setValue(7);
     test::child<QSpinBox>(panel, "renderBounces")->setValue(2);
     test::child<QCheckBox>(panel, "renderFilter")->click();
+    EXPECT_FALSE(test::child<ui::ParamSlider>(panel, "depthSpatialSigma")->isEnabled()) << "automatic at first";
+    test::child<QCheckBox>(panel, "depthAutomatic")->click();
+    EXPECT_FALSE(workspace_.scene().depthFilter.automatic);
+    EXPECT_TRUE(test::child<ui::ParamSlider>(panel, "depthSpatialSigma")->isEnabled());
     test::child<QCheckBox>(panel, "depthFilter")->click();
     EXPECT_EQ(workspace_.scene().render.samples, 7);
     EXPECT_EQ(workspace_.scene().render.bounces, 2);

@@ -43,6 +43,13 @@ RenderPanel::RenderPanel(Workspace& workspace, QWidget* parent) : Panel(workspac
         this->workspace().editScene(tr("Change depth filter"),
                                     [on](core::Scene& scene) { scene.depthFilter.enabled = on; });
     });
+    automatic_ = new QCheckBox(tr("Automatic"), this);
+    automatic_->setObjectName(QStringLiteral("depthAutomatic"));
+    automatic_->setToolTip(tr("The filter follows the noise that is measured in the depth map"));
+    connect(automatic_, &QCheckBox::clicked, this, [this](bool on) {
+        this->workspace().editScene(tr("Change depth filter"),
+                                    [on](core::Scene& scene) { scene.depthFilter.automatic = on; });
+    });
     spatialSigma_ = addSceneSlider({.key = "depthSpatialSigma",
                                     .label = tr("Radius"),
                                     .unit = tr("px"),
@@ -90,6 +97,7 @@ RenderPanel::RenderPanel(Workspace& workspace, QWidget* parent) : Panel(workspac
     auto* depth = new QGroupBox(tr("Depth"), this);
     auto* depthForm = new QFormLayout(depth);
     depthForm->addRow(depthFilter_);
+    depthForm->addRow(automatic_);
     depthForm->addRow(spatialSigma_);
     depthForm->addRow(colorSigma_);
     depthForm->addRow(depthSigma_);
@@ -140,7 +148,10 @@ void RenderPanel::refresh() {
     spatialSigma_->setValue(static_cast<double>(depth.spatialSigma));
     colorSigma_->setValue(static_cast<double>(depth.colorSigma));
     depthSigma_->setValue(static_cast<double>(depth.depthSigma));
-    for (ParamSlider* slider : {spatialSigma_, colorSigma_, depthSigma_}) slider->setEnabled(depth.enabled);
+    automatic_->setChecked(depth.automatic);
+    automatic_->setEnabled(depth.enabled);
+    for (ParamSlider* slider : {spatialSigma_, colorSigma_, depthSigma_})
+        slider->setEnabled(depth.enabled && !depth.automatic);
 }
 
 }  // namespace ui

@@ -28,6 +28,7 @@ class RenderPanel : public Panel {
     QSpinBox* irradianceSamples_ = nullptr;
     QCheckBox* filter_ = nullptr;
     QCheckBox* depthFilter_ = nullptr;
+    QCheckBox* automatic_ = nullptr;
     ParamSlider* spatialSigma_ = nullptr;
     ParamSlider* colorSigma_ = nullptr;
     ParamSlider* depthSigma_ = nullptr;
