@@ -74,7 +74,7 @@ std::vector<LobeProbe> probesOf(float alpha, const Vector3f& rho, int count, flo
     for (int i = 0; i < count; ++i) {
         const Vector3f n = Vector3f(uniform(random) - 0.5f, uniform(random) - 0.5f, -1).normalized();
         LobeProbe probe;
-        probe.color = rho.cwiseProduct(throughLobe(stripes, view, n, alpha, 4000, random));
+        probe.color = rho.cwiseProduct(throughLobe(stripes, view, n, alpha, 1500, random));
         if (uniform(random) < outliers) probe.color *= 8;
         const Vector3f tangent = n.unitOrthogonal();
         const Vector3f bitangent = n.cross(tangent);
@@ -99,7 +99,7 @@ std::vector<LobeProbe> probesOf(float alpha, const Vector3f& rho, int count, flo
 TEST(Lobe, WidthAndReflectanceAreRecovered) {
     for (const float alpha : {0.02f, 0.05f, 0.12f}) {
         const Vector3f rho(0.8f, 0.5f, 0.3f);
-        const auto fit = core::steps::fitLobe(probesOf(alpha, rho, 600, 0));
+        const auto fit = core::steps::fitLobe(probesOf(alpha, rho, 300, 0));
         ASSERT_TRUE(fit);
         EXPECT_TRUE(fit->reliable);
         EXPECT_NEAR(fit->alpha / alpha, 1, 0.2f) << alpha;
@@ -109,7 +109,7 @@ TEST(Lobe, WidthAndReflectanceAreRecovered) {
 
 TEST(Lobe, OutliersDoNotPull) {
     const Vector3f rho(0.8f, 0.5f, 0.3f);
-    const auto fit = core::steps::fitLobe(probesOf(0.05f, rho, 600, 0.08f));
+    const auto fit = core::steps::fitLobe(probesOf(0.05f, rho, 300, 0.08f));
     ASSERT_TRUE(fit);
     EXPECT_NEAR(fit->alpha / 0.05f, 1, 0.25f);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(fit->rho[c] / rho[c], 1, 0.08f);
