@@ -69,6 +69,10 @@ std::vector<std::string> analysisNotes(const Scene& scene, const Analysis& analy
         if (pixels[segment.label] < kFewPixels) {
             notes.push_back(name + " is glossy but has only " + std::to_string(pixels[segment.label]) +
                             " pixels with depth: too few to tell its reflectance and the light from it.");
+        } else if (!reflectance->reliable && !segment.reflectance && reflectance->rho.maxCoeff() >= 1) {
+            notes.push_back(name +
+                            " shows more light than it can mirror: it is not only glossy, and the light recovered "
+                            "from it is a guess. Take the flag off, or set its reflectance by hand.");
         } else if (!reflectance->reliable && !segment.reflectance) {
             notes.push_back(name + " shows too little whose brightness is known otherwise (" +
                             number("%.2f", static_cast<double>(reflectance->commonSolidAngle)) +

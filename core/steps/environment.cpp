@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "core/steps/deconvolve.h"
+#include "core/steps/distant_pixels.h"
 
 namespace core::steps {
 namespace {
@@ -21,6 +22,7 @@ namespace {
 /// Distant pixels: light seen directly.
 DirectionalMap distantLight(const Photo& photo, const ImageF& depth, int mapHeight, Vector3f& mean,
                             const StepContext& context) {
+    const Image<std::uint8_t> distant = findDistantPixels(depth);
     DirectionalAccumulator sum(mapHeight);
     Eigen::Vector3d total = Eigen::Vector3d::Zero();
     for (int y = 0; y < depth.height(); ++y) {
@@ -28,12 +30,8 @@ DirectionalMap distantLight(const Photo& photo, const ImageF& depth, int mapHeig
         for (int x = 0; x < depth.width(); ++x) {
             const Vector3f& color = photo.color(x, y);
             total += color.cast<double>();
-            if (depth(x, y) > 0) continue;
-            bool mixed = false;
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx)
-                    mixed = mixed || (depth.contains(x + dx, y + dy) && depth(x + dx, y + dy) > 0);
-            if (!mixed) sum.add(photo.camera.pixelRay(x, y).normalized(), color, 1, clippedChannels(photo, x, y));
+            if (distant(x, y) != 0)
+                sum.add(photo.camera.pixelRay(x, y).normalized(), color, 1, clippedChannels(photo, x, y));
         }
     }
     mean = (total / static_cast<double>(std::max<std::size_t>(1, depth.size()))).cast<float>();

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/parallel.h"
+#include "core/steps/distant_pixels.h"
 #include "core/steps/lobe.h"
 
 namespace core::steps {
@@ -20,6 +21,8 @@ constexpr std::size_t kMaxProbes = 1500;
 /// Codes just below the largest count as clipped too: sharpening and compression leave them there.
 constexpr float kClipMargin = 0.98f;
 constexpr float kMinRho = 0.02f;
+/// A mirror cannot reflect more than it receives; what exceeds that by more than the error of an estimate is none.
+constexpr float kMaxRho = 1.15f;
 /// Beyond this angle (cosine) a mirrored direction depends more on the error of the normal than on the normal.
 constexpr float kMinCosine = 0.08f;
 
@@ -45,6 +48,7 @@ struct Tracer {
     const Surface& front;
     const Surface& back;
     const std::vector<bool>& glossy;  ///< by label
+    const Image<std::uint8_t>& distant;
 
     /// Bit c: the camera clipped channel c of a pixel.
     [[nodiscard]] unsigned clipped(int x, int y) const { return clippedChannels(*scene.photo, x, y); }
@@ -53,7 +57,7 @@ struct Tracer {
                                std::uint16_t label) const {
         const auto hit = pyramid.march(origin, direction);
         if (!hit) {
-            if (const auto color = distantColor(*scene.photo, front.depth, direction))
+            if (const auto color = distantColor(*scene.photo, distant, direction))
                 return {Ending::Distant, direction, *color};
             return {Ending::Missed, direction, Vector3f::Zero()};
         }
@@ -139,20 +143,6 @@ bool isInterior(const LabelImage& labels, const ImageF& depth, int x, int y) {
                 (labels(x + dx, y + dy) != labels(x, y) || depth(x + dx, y + dy) <= 0))
                 return false;
     return true;
-}
-
-std::optional<Vector3f> distantColor(const Photo& photo, const ImageF& depth, const Vector3f& d) {
-    if (d.z() <= 1e-4f) return std::nullopt;
-    const Vector2f uv = photo.camera.project(d);
-    if (!(uv.x() >= 0 && uv.y() >= 0 && uv.x() < static_cast<float>(depth.width()) &&
-          uv.y() < static_cast<float>(depth.height())))
-        return std::nullopt;
-    const int x = static_cast<int>(uv.x());
-    const int y = static_cast<int>(uv.y());
-    for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx)
-            if (depth.contains(x + dx, y + dy) && depth(x + dx, y + dy) > 0) return std::nullopt;
-    return photo.color(x, y);
 }
 
 namespace {
@@ -257,8 +247,8 @@ std::optional<LobeFit> probeAndFit(const Tracer& tracer, const MarchPyramid& pyr
 }  // namespace
 
 SegmentReflections estimateReflectance(const Scene& scene, const Surface& front, const Surface& back,
-                                       const MarchPyramid& pyramid, std::uint16_t label, const StepContext& context,
-                                       float from, float to) {
+                                       const MarchPyramid& pyramid, const Image<std::uint8_t>& distant,
+                                       std::uint16_t label, const StepContext& context, float from, float to) {
     const Photo& photo = *scene.photo;
     const Camera& camera = photo.camera;
     const int mapHeight = std::clamp(scene.environment.height, 4, 2048);
@@ -268,7 +258,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
     const auto part = [&](float fraction) { return from + fraction * (to - from); };
     std::vector<bool> glossy(65536, false);
     for (const Segment& segment : scene.segments) glossy[segment.label] = segment.glossy;
-    const Tracer tracer{scene, front, back, glossy};
+    const Tracer tracer{scene, front, back, glossy, distant};
 
     // Outlines mix two objects; a segment that is nothing but outline is used whole.
     std::vector<std::array<int, 2>> pixels;
@@ -390,6 +380,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
         const Vector3f above = estimate.reflected.mean();
         for (int c = 0; c < 3; ++c) estimate.rho[c] = below[c] > 0 ? above[c] / below[c] : 1.0f;
     }
+    estimate.reliable = estimate.reliable && estimate.rho.maxCoeff() <= kMaxRho;
     for (int c = 0; c < 3; ++c) {
         if (!std::isfinite(estimate.rho[c])) estimate.rho[c] = 1;
         estimate.rho[c] = std::clamp(estimate.rho[c], kMinRho, 1.0f);
@@ -422,6 +413,7 @@ Step reflectanceStep() {
         for (const Segment* segment : glossy) hash.add(segment->label);
 
         const MarchPyramid pyramid(*board.layers);
+        const Image<std::uint8_t> distant = findDistantPixels(board.front->depth);
         std::vector<std::shared_ptr<const Reflectance>> results;
         std::vector<std::shared_ptr<const SegmentReflections>> reflections;
         for (std::size_t i = 0; i < glossy.size(); ++i) {
@@ -430,7 +422,7 @@ Step reflectanceStep() {
             if (!cached.reflections || cached.key != hash.value()) {
                 const auto count = static_cast<float>(glossy.size());
                 cached.reflections = std::make_shared<SegmentReflections>(
-                    estimateReflectance(scene, *board.front, board.back->surface, pyramid, label, context,
+                    estimateReflectance(scene, *board.front, board.back->surface, pyramid, distant, label, context,
                                         static_cast<float>(i) / count, static_cast<float>(i + 1) / count));
                 cached.key = hash.value();
             }

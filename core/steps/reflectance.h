@@ -16,10 +16,6 @@ namespace core::steps {
 /// eight neighbours of the same label (at the border of the picture: those that exist).
 [[nodiscard]] bool isInterior(const LabelImage& labels, const ImageF& depth, int x, int y);
 
-/// The distant pixel that a ray leaving in direction `d` ends in: the vanishing point of `d`, when it lies in the
-/// picture, has no depth and none beside it.
-[[nodiscard]] std::optional<Vector3f> distantColor(const Photo& photo, const ImageF& depth, const Vector3f& d);
-
 /// What one glossy segment shows of the world (DESIGN 3.3, cases A to D).
 struct SegmentReflections {
     Reflectance estimate;
@@ -38,10 +34,12 @@ struct SegmentReflections {
 ///    its solid angle. No parallax between the segment's points and its centre.
 /// 3. Where the pairs cover less than `kMinCommonSolidAngle`: the texels covered in both L_S and L_G.
 /// In 2 and 3 texels whose ratio of luminance is among the lowest or highest tenth are left out. Clamped to [0.02, 1].
-/// `reliable` is false when no source covers `kMinCommonSolidAngle`; then ρ is the ratio of the filled maps' means.
+/// `reliable` is false when no source covers `kMinCommonSolidAngle`, then ρ is the ratio of the filled maps' means; and
+/// when the segment shows clearly more light than it mirrors: then it is not (only) a mirror.
 [[nodiscard]] SegmentReflections estimateReflectance(const Scene& scene, const Surface& front, const Surface& back,
-                                                     const MarchPyramid& pyramid, std::uint16_t label,
-                                                     const StepContext& context, float from, float to);
+                                                     const MarchPyramid& pyramid, const Image<std::uint8_t>& distant,
+                                                     std::uint16_t label, const StepContext& context, float from,
+                                                     float to);
 
 inline constexpr float kMinCommonSolidAngle = 0.02f;  ///< [sr]
 
