@@ -38,11 +38,12 @@ struct Reflectance {
 /// How the back of one segment was made (DESIGN 3.2).
 struct BackSideInfo {
     std::uint16_t label = 0;
-    BackSideMethod used = BackSideMethod::Offset;  ///< differs from the segment's choice when that one failed
-    std::string note;                              ///< why it differs, a full sentence; "" when it does not
-    /// E = max(C, O) of the mirror plane: C = fraction of points behind it, O = fraction mirrored outside the
-    /// silhouette, both in [0, 1]; 0 for Offset.
+    BackSideMethod used = BackSideMethod::Offset;  ///< Automatic's choice, or what replaced a method that failed
+    std::string note;  ///< why another method was used than the segment asks for, a full sentence; "" when none was
+    /// The method's own penalty, [0, 1]. Mirrors: E = max(C, O); C = fraction of points behind the mirror, O = fraction
+    /// mirrored outside the silhouette. FlatFaces: what of outline and front the faces do not explain. 0 for Offset.
     float mirrorError = 0;
+    bool onSupport = false;  ///< a support's plane was found, through which the back does not reach
 };
 
 /// Result of the analysis: stages 3.1 to 3.4. Parts are shared, so that a change recomputes only what it invalidates.

@@ -48,12 +48,14 @@ enum class BackSideMethod {
     Offset,          ///< front depth plus a constant
     ParallelMirror,  ///< front mirrored at a plane parallel to the image
     PcaMirror,       ///< front mirrored at a plane found by principal component analysis
+    SpannedMirror,   ///< front mirrored along the rays at a surface spanned into the outline
+    FlatFaces,       ///< hidden faces at right angles to the flat faces that end at the outline
 };
 
 struct BackSideParams {
     BackSideMethod method = BackSideMethod::Automatic;
     float offset = 0.05f;         ///< [m], Offset only
-    float planeShift = 0;         ///< [m], mirrors only: moves the plane that was found away from the camera
+    float planeShift = 0;         ///< [m], mirrors only: moves the plane or surface that was found away from the camera
     float thicknessScale = 1;     ///< stretches what was invented: back = front + thicknessScale·(invented − front)
     float minThickness = 0.002f;  ///< [m], z_back ≥ z_front + minThickness
     bool operator==(const BackSideParams&) const = default;

@@ -260,6 +260,54 @@
         <source>Load measured back side</source>
         <translation>Gemessene Rückseite laden</translation>
     </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Rounded: mirrored at its outline</source>
+        <translation>Rund: am eigenen Umriss gespiegelt</translation>
+    </message>
+    <message>
+        <source>Box: flat faces continued</source>
+        <translation>Kasten: ebene Flächen fortgesetzt</translation>
+    </message>
+    <message>
+        <source>Move mirror</source>
+        <translation>Spiegel verschieben</translation>
+    </message>
+    <message>
+        <source>Moves the mirror that was found away from the camera</source>
+        <translation>Verschiebt den gefundenen Spiegel von der Kamera weg</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Strecken</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Factor on the thickness that was invented</source>
+        <translation>Faktor auf die erfundene Dicke</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Automatic: %1 (penalty %2)</source>
+        <translation>Automatisch: %1 (Abweichung %2)</translation>
+    </message>
+    <message>
+        <source>Penalty %1</source>
+        <translation>Abweichung %1</translation>
+    </message>
+    <message>
+        <source>Ends at the plane it stands on.</source>
+        <translation>Endet an der Ebene, auf der es steht.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BackgroundTask</name>

@@ -22,7 +22,8 @@ namespace {
 
 constexpr int kVersion = 1;
 constexpr std::size_t kMaxProjectBytes = std::size_t{64} << 20U;
-const std::vector<std::string> kBackSideMethods{"automatic", "offset", "parallel_mirror", "pca_mirror"};
+const std::vector<std::string> kBackSideMethods{"automatic",  "offset",         "parallel_mirror",
+                                                "pca_mirror", "spanned_mirror", "flat_faces"};
 const std::vector<std::string> kEnvironmentUses{"replace", "complete"};
 const std::vector<std::string> kEnvironmentFills{"shepard", "membrane"};
 

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "core/steps/back_side.h"
+#include "core/steps/mirror_plane.h"
+#include "core/steps/supports.h"
 #include "tests/support/ray_scene.h"
 
 namespace {

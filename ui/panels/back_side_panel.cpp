@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "core/io/image_io.h"
@@ -20,6 +21,45 @@ namespace ui {
 
 namespace {
 constexpr float kMillimetres = 1000;
+constexpr float kPercent = 100;
+}  // namespace
+
+QString BackSidePanel::methodName(core::BackSideMethod method) {
+    switch (method) {
+        case core::BackSideMethod::Automatic:
+            return tr("Automatic");
+        case core::BackSideMethod::Offset:
+            return tr("Constant thickness");
+        case core::BackSideMethod::ParallelMirror:
+            return tr("Mirrored at a plane facing the camera");
+        case core::BackSideMethod::PcaMirror:
+            return tr("Mirrored at a fitted plane");
+        case core::BackSideMethod::SpannedMirror:
+            return tr("Rounded: mirrored at its outline");
+        case core::BackSideMethod::FlatFaces:
+            return tr("Box: flat faces continued");
+    }
+    return {};
+}
+
+QString BackSidePanel::outcomeText() const {
+    const core::Segment* segment = workspace().selectedSegment();
+    const auto& analysis = workspace().analysis();
+    if (segment == nullptr || analysis == nullptr || workspace().scene().backDepth != nullptr) return {};
+    const auto info = std::ranges::find(analysis->backSides, segment->label, &core::BackSideInfo::label);
+    if (info == analysis->backSides.end()) return {};
+    QString text;
+    if (!info->note.empty()) {
+        text = tr("%1. %2").arg(methodName(info->used), QString::fromStdString(info->note));
+    } else if (segment->backSide.method == core::BackSideMethod::Automatic) {
+        text = tr("Automatic: %1 (penalty %2)")
+                   .arg(methodName(info->used), locale().toString(static_cast<double>(info->mirrorError), 'f', 2));
+    } else if (info->used != core::BackSideMethod::Offset) {
+        text = tr("Penalty %1").arg(locale().toString(static_cast<double>(info->mirrorError), 'f', 2));
+    }
+    if (info->onSupport)
+        text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + tr("Ends at the plane it stands on.");
+    return text;
 }
 
 BackSidePanel::BackSidePanel(Workspace& workspace, QWidget* parent) : Panel(workspace, parent) {
@@ -29,11 +69,13 @@ BackSidePanel::BackSidePanel(Workspace& workspace, QWidget* parent) : Panel(work
     method_->setObjectName(QStringLiteral("backSideMethod"));
     method_->setAccessibleName(tr("Back side method"));
     method_->setToolTip(tr("How the side the camera does not see is invented"));
-    method_->addItem(tr("Automatic"), static_cast<int>(core::BackSideMethod::Automatic));
-    method_->addItem(tr("Mirrored at a fitted plane"), static_cast<int>(core::BackSideMethod::PcaMirror));
-    method_->addItem(tr("Mirrored at a plane facing the camera"),
-                     static_cast<int>(core::BackSideMethod::ParallelMirror));
-    method_->addItem(tr("Constant thickness"), static_cast<int>(core::BackSideMethod::Offset));
+    for (const core::BackSideMethod method :
+         {core::BackSideMethod::Automatic, core::BackSideMethod::SpannedMirror, core::BackSideMethod::FlatFaces,
+          core::BackSideMethod::PcaMirror, core::BackSideMethod::ParallelMirror, core::BackSideMethod::Offset})
+        method_->addItem(methodName(method), static_cast<int>(method));
+    outcome_ = new QLabel(this);
+    outcome_->setObjectName(QStringLiteral("backSideOutcome"));
+    outcome_->setWordWrap(true);
     offset_ = addSegmentSlider({.key = "backSideOffset",
                                 .label = tr("Thickness"),
                                 .unit = tr("mm"),
@@ -54,6 +96,25 @@ BackSidePanel::BackSidePanel(Workspace& workspace, QWidget* parent) : Panel(work
                                    .logarithmic = true,
                                    .decimals = 1},
                                   [](core::Segment& s, float v) { s.backSide.minThickness = v / kMillimetres; });
+    planeShift_ = addSegmentSlider({.key = "backSidePlaneShift",
+                                    .label = tr("Move mirror"),
+                                    .unit = tr("mm"),
+                                    .toolTip = tr("Moves the mirror that was found away from the camera"),
+                                    .minimum = -200,
+                                    .maximum = 200,
+                                    .initial = 0,
+                                    .decimals = 1},
+                                   [](core::Segment& s, float v) { s.backSide.planeShift = v / kMillimetres; });
+    scale_ = addSegmentSlider({.key = "backSideScale",
+                               .label = tr("Stretch"),
+                               .unit = tr("%"),
+                               .toolTip = tr("Factor on the thickness that was invented"),
+                               .minimum = 10,
+                               .maximum = 400,
+                               .initial = 100,
+                               .logarithmic = true,
+                               .decimals = 0},
+                              [](core::Segment& s, float v) { s.backSide.thicknessScale = v / kPercent; });
     profile_ = new ProfileView(this);
     profile_->setObjectName(QStringLiteral("backSideProfile"));
     profile_->setAccessibleName(tr("Preview of the back side"));
@@ -76,7 +137,10 @@ BackSidePanel::BackSidePanel(Workspace& workspace, QWidget* parent) : Panel(work
     layout->setContentsMargins(8, 8, 8, 8);
     layout->addWidget(title_);
     layout->addWidget(method_);
+    layout->addWidget(outcome_);
     layout->addWidget(offset_);
+    layout->addWidget(planeShift_);
+    layout->addWidget(scale_);
     layout->addWidget(thickness_);
     layout->addWidget(profile_, 1);
     layout->addWidget(file);
@@ -96,6 +160,7 @@ BackSidePanel::BackSidePanel(Workspace& workspace, QWidget* parent) : Panel(work
     connect(&workspace, &Workspace::sceneChanged, this, &BackSidePanel::refresh);
     connect(&workspace, &Workspace::selectionChanged, this, &BackSidePanel::refresh);
     connect(&workspace, &Workspace::selectionChanged, this, &BackSidePanel::refreshPreview);
+    connect(&workspace, &Workspace::analysisChanged, this, &BackSidePanel::refresh);
     connect(&workspace, &Workspace::analysisChanged, this, &BackSidePanel::refreshPreview);
     refresh();
     refreshPreview();
@@ -108,7 +173,19 @@ void BackSidePanel::refresh() {
     title_->setText(segment != nullptr ? QString::fromStdString(segment->name) : tr("No segment selected"));
     method_->setEnabled(segment != nullptr && !measured);
     thickness_->setEnabled(segment != nullptr);
-    offset_->setEnabled(segment != nullptr && !measured && segment->backSide.method == core::BackSideMethod::Offset);
+    // What the shape came from decides what can be moved; a segment left to Automatic goes by what was taken.
+    core::BackSideMethod used = segment != nullptr ? segment->backSide.method : core::BackSideMethod::Offset;
+    if (const auto& analysis = workspace().analysis(); segment != nullptr && analysis != nullptr) {
+        const auto info = std::ranges::find(analysis->backSides, segment->label, &core::BackSideInfo::label);
+        if (info != analysis->backSides.end() && used == core::BackSideMethod::Automatic) used = info->used;
+    }
+    const bool invented = segment != nullptr && !measured;
+    offset_->setEnabled(invented && used == core::BackSideMethod::Offset);
+    planeShift_->setEnabled(invented &&
+                            (used == core::BackSideMethod::PcaMirror || used == core::BackSideMethod::ParallelMirror ||
+                             used == core::BackSideMethod::SpannedMirror));
+    scale_->setEnabled(invented && used != core::BackSideMethod::Offset);
+    outcome_->setText(outcomeText());
     loadBackDepth_->setEnabled(workspace().hasPhoto());
     clearBackDepth_->setEnabled(measured);
     backDepth_->setText(measured ? QFileInfo(QString::fromStdString(scene.backDepthPath)).fileName() : tr("None"));
@@ -116,6 +193,8 @@ void BackSidePanel::refresh() {
     const QSignalBlocker block(method_);
     method_->setCurrentIndex(method_->findData(static_cast<int>(segment->backSide.method)));
     offset_->setValue(static_cast<double>(segment->backSide.offset * kMillimetres));
+    planeShift_->setValue(static_cast<double>(segment->backSide.planeShift * kMillimetres));
+    scale_->setValue(static_cast<double>(segment->backSide.thicknessScale * kPercent));
     thickness_->setValue(static_cast<double>(segment->backSide.minThickness * kMillimetres));
 }
 

@@ -19,13 +19,20 @@ class BackSidePanel : public Panel {
     explicit BackSidePanel(Workspace& workspace, QWidget* parent = nullptr);
 
   private:
+    /// Translated name of a method.
+    [[nodiscard]] static QString methodName(core::BackSideMethod method);
+    /// What the analysis took for the selected segment, and why.
+    [[nodiscard]] QString outcomeText() const;
     void refresh();
     void refreshPreview();
     void chooseBackDepth();
 
     QLabel* title_ = nullptr;
     QComboBox* method_ = nullptr;
+    QLabel* outcome_ = nullptr;
     ParamSlider* offset_ = nullptr;
+    ParamSlider* planeShift_ = nullptr;
+    ParamSlider* scale_ = nullptr;
     ParamSlider* thickness_ = nullptr;
     ProfileView* profile_ = nullptr;
     QLabel* backDepth_ = nullptr;

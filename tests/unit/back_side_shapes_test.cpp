@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Back sides of analytic solids: rounded, with flat faces, standing on a table, thin; and of segments that are hardly
+// any.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "core/steps/back_side.h"
+#include "core/steps/supports.h"
+#include "tests/support/ray_scene.h"
+
+namespace {
+
+using core::BackSideMethod;
+using core::Vector3f;
+using core::steps::BackLayer;
+using test::Vector3d;
+
+/// A convex solid given by a function that is convex and negative inside; crossings by bisection.
+struct Convex : test::Shape {
+    std::function<double(const Vector3d&)> inside;
+    Vector3d center;
+    explicit Convex(const Vector3d& c, std::function<double(const Vector3d&)> f) : inside(std::move(f)), center(c) {}
+
+    [[nodiscard]] std::optional<Interval> intersect(const Vector3d& o, const Vector3d& d) const override {
+        const auto value = [&](double t) { return inside(o + t * d - center); };
+        if ((center - o).cross(d).norm() > 0.5 * d.norm()) return std::nullopt;
+        const double middle = (center - o).dot(d) / d.squaredNorm();
+        double low = middle - 1, high = middle + 1;
+        for (int i = 0; i < 50; ++i) {
+            const double a = low + (high - low) / 3;
+            const double b = high - (high - low) / 3;
+            (value(a) < value(b) ? high : low) = value(a) < value(b) ? b : a;
+        }
+        const double deepest = (low + high) / 2;
+        if (value(deepest) >= 0) return std::nullopt;
+        const auto crossing = [&](double in, double out) {
+            for (int i = 0; i < 40; ++i) {
+                const double t = (in + out) / 2;
+                (value(t) < 0 ? in : out) = t;
+            }
+            return (in + out) / 2;
+        };
+        const double enter = crossing(deepest, deepest - 2);
+        const double leave = crossing(deepest, deepest + 2);
+        return Interval{enter, leave, normal(o + enter * d - center), normal(o + leave * d - center)};
+    }
+
+  private:
+    [[nodiscard]] Vector3d normal(const Vector3d& p) const {
+        Vector3d gradient;
+        for (int k = 0; k < 3; ++k) {
+            const Vector3d step = 1e-6 * Vector3d::Unit(k);
+            gradient[k] = inside(p + step) - inside(p - step);
+        }
+        return gradient.normalized();
+    }
+};
+
+double capsule(const Vector3d& p, const Vector3d& axis, double half, double radius) {
+    return (p - std::clamp(p.dot(axis), -half, half) * axis).norm() - radius;
+}
+
+constexpr std::uint16_t kObject = 2;
+
+/// A table 0.25 m below the eye, seen 20 degrees from above, and a solid on it.
+struct Table {
+    Eigen::Matrix3d tilt = test::rotation(0.35, {1, 0, 0});
+    Vector3d up = -tilt.col(1);
+    Vector3d top = Vector3d(0, 0.1, 1.0);  ///< a point of the table top
+
+    [[nodiscard]] test::RayScene with(const std::shared_ptr<test::Shape>& shape) const {
+        test::RayScene scene;
+        scene.camera = test::testCamera(320, 240);
+        scene.objects.push_back(
+            {1, std::make_shared<test::Box>(top - 0.05 * up, Vector3d(3, 0.05, 0.8), tilt), {}, false});
+        scene.objects.push_back({kObject, shape, {}, false});
+        return scene;
+    }
+};
+
+struct Result {
+    core::Photo photo;
+    core::Surface truth;
+    BackLayer back;
+
+    /// Median |z_back − truth| over the median true thickness.
+    [[nodiscard]] float error() const {
+        std::vector<float> errors, thickness;
+        for (std::size_t i = 0; i < photo.depth.size(); ++i) {
+            if (photo.labels[i] != kObject) continue;
+            errors.push_back(std::abs(back.surface.depth[i] - truth.depth[i]));
+            thickness.push_back(truth.depth[i] - photo.depth[i]);
+        }
+        std::ranges::sort(errors);
+        std::ranges::sort(thickness);
+        return errors[errors.size() / 2] / thickness[thickness.size() / 2];
+    }
+    [[nodiscard]] const core::BackSideInfo& info() const {
+        return *std::ranges::find(back.segments, kObject, &core::BackSideInfo::label);
+    }
+    void expectValid(float minThickness) const {
+        for (std::size_t i = 0; i < photo.depth.size(); ++i) {
+            if (photo.depth[i] <= 0) continue;
+            ASSERT_GE(back.surface.depth[i], photo.depth[i] + minThickness * 0.99f);
+            ASSERT_TRUE(std::isfinite(back.surface.depth[i]));
+            ASSERT_NEAR(back.surface.normal[i].norm(), 1, 1e-4f);
+        }
+    }
+};
+
+/// Traced once, used for several methods.
+struct View {
+    core::Photo photo;
+    core::Surface front, truth;
+    explicit View(const test::RayScene& scene)
+        : photo(scene.photograph()), front(scene.frontSurface()), truth(scene.backSurface()) {}
+};
+
+Result invent(const View& view, const core::BackSideParams& params = {}) {
+    Result result{view.photo, view.truth, {}};
+    std::vector<core::Segment> segments(2);
+    segments[0].label = 1;
+    segments[1].label = kObject;
+    for (core::Segment& segment : segments) segment.backSide = params;
+    result.back =
+        core::steps::inventBackSide(view.photo.camera, result.photo.labels, view.front, segments, nullptr, 0, {});
+    return result;
+}
+
+/// Only the labelled pixels of a sphere's picture that `keep` accepts are the object.
+Result inventPart(const test::RayScene& scene, const std::function<bool(int, int)>& keep) {
+    Result result{scene.photograph(), scene.backSurface(), {}};
+    for (int y = 0; y < result.photo.labels.height(); ++y)
+        for (int x = 0; x < result.photo.labels.width(); ++x)
+            if (result.photo.labels(x, y) == kObject && !keep(x, y)) result.photo.labels(x, y) = 3;
+    result.back =
+        core::steps::inventBackSide(scene.camera, result.photo.labels, scene.frontSurface(), {}, nullptr, 0, {});
+    return result;
+}
+
+const Table kTable;
+
+TEST(BackSideShapes, SphereOnATableIsRounded) {
+    const Result result = invent(View(kTable.with(std::make_shared<test::Sphere>(kTable.top + 0.1 * kTable.up, 0.1))));
+    EXPECT_EQ(result.info().used, BackSideMethod::SpannedMirror);
+    EXPECT_TRUE(result.info().onSupport);
+    EXPECT_LT(result.error(), 0.04f);
+    result.expectValid(0.002f);
+}
+
+TEST(BackSideShapes, EllipsoidIsRoundedWhicheverWayItLies) {
+    for (const double angle : {0.0, 0.5, 1.1, 2.0}) {
+        const Eigen::Matrix3d axes = test::rotation(angle, {0.3, 1, 0.2});
+        const Vector3d inverse(1 / 0.15, 1 / 0.08, 1 / 0.1);
+        test::RayScene scene;
+        scene.camera = test::testCamera(320, 240);
+        scene.objects.push_back(
+            {kObject,
+             std::make_shared<Convex>(
+                 Vector3d(0.1, 0.05, 1),
+                 [=](const Vector3d& p) { return (inverse.asDiagonal() * (axes.transpose() * p)).norm() - 1; }),
+             {},
+             false});
+        const Result result = invent(View(scene));
+        EXPECT_EQ(result.info().used, BackSideMethod::SpannedMirror) << angle;
+        EXPECT_LT(result.error(), 0.05f) << angle;
+    }
+}
+
+TEST(BackSideShapes, CapsuleAndThinRodAreAsDeepAsTheyAreWide) {
+    // The thin rod is 8 pixels wide: its outline lies between pixels, which costs it some depth.
+    for (const auto& [radius, tolerance] : {std::pair{0.06, 0.12f}, {0.012, 0.35f}}) {
+        const Vector3d axis = Vector3d(1, 0.6, 0.4).normalized();
+        test::RayScene scene;
+        scene.camera = test::testCamera(320, 240);
+        scene.objects.push_back(
+            {kObject,
+             std::make_shared<Convex>(Vector3d(0, 0, 1),
+                                      [axis, r = radius](const Vector3d& p) { return capsule(p, axis, 0.2, r); }),
+             {},
+             false});
+        const Result result = invent(View(scene));
+        EXPECT_EQ(result.info().used, BackSideMethod::SpannedMirror) << radius;
+        EXPECT_LT(result.error(), tolerance) << radius;
+    }
+}
+
+TEST(BackSideShapes, BoxesOnATableAreContinuedAtRightAngles) {
+    for (const double angle : {0.1, 0.4, 0.785, 1.2}) {
+        const Eigen::Matrix3d axes = kTable.tilt * test::rotation(angle, {0, 1, 0});
+        const Result result = invent(View(
+            kTable.with(std::make_shared<test::Box>(kTable.top + 0.08 * kTable.up, Vector3d(0.1, 0.08, 0.07), axes))));
+        EXPECT_EQ(result.info().used, BackSideMethod::FlatFaces) << angle;
+        EXPECT_LT(result.info().mirrorError, 0.5f) << angle;
+        EXPECT_LT(result.error(), 0.05f) << angle;
+        result.expectValid(0.002f);
+    }
+}
+
+TEST(BackSideShapes, NothingSinksThroughTheTableByAnyMethod) {
+    const Vector3d half(0.1, 0.08, 0.07);
+    const test::RayScene scene =
+        kTable.with(std::make_shared<Convex>(kTable.top + half.y() * kTable.up, [=](const Vector3d& p) {
+            const double height = p.dot(kTable.up);
+            return std::max((p - height * kTable.up).norm() - 0.08, std::abs(height) - half.y());
+        }));
+    const View view(scene);
+    for (const BackSideMethod method :
+         {BackSideMethod::Automatic, BackSideMethod::Offset, BackSideMethod::ParallelMirror, BackSideMethod::PcaMirror,
+          BackSideMethod::SpannedMirror, BackSideMethod::FlatFaces}) {
+        core::BackSideParams params;
+        params.method = method;
+        params.offset = 0.3f;
+        params.thicknessScale = 3;
+        const Result result = invent(view, params);
+        EXPECT_TRUE(result.info().onSupport);
+        int checked = 0;
+        for (int y = 0; y < 240; ++y) {
+            for (int x = 0; x < 320; ++x) {
+                if (result.photo.labels(x, y) != kObject) continue;
+                const float z = result.back.surface.depth(x, y);
+                // What minThickness demands may stick out.
+                if (z < result.photo.depth(x, y) + 0.0021f) continue;
+                const Vector3d p = scene.camera.backProject(x, y, z).cast<double>();
+                ASSERT_GT((p - kTable.top).dot(kTable.up), -0.001) << static_cast<int>(method);
+                ++checked;
+            }
+        }
+        EXPECT_GT(checked, 1000);
+    }
+}
+
+TEST(BackSideShapes, RoundedBackMeetsTheFrontAtTheOutline) {
+    const Result result = invent(View(kTable.with(std::make_shared<test::Sphere>(kTable.top + 0.1 * kTable.up, 0.1))));
+    float deepest = 0, atOutline = 0;
+    for (int y = 0; y < 240; ++y) {
+        for (int x = 0; x < 320; ++x) {
+            if (result.photo.labels(x, y) != kObject) continue;
+            const float t = result.back.surface.depth(x, y) - result.photo.depth(x, y);
+            deepest = std::max(deepest, t);
+            const bool edge = result.photo.labels(x - 1, y) != kObject || result.photo.labels(x + 1, y) != kObject;
+            if (edge) atOutline = std::max(atOutline, t);
+        }
+    }
+    EXPECT_NEAR(deepest, 0.2f, 0.02f);
+    EXPECT_LT(atOutline, 0.3f * deepest);
+}
+
+TEST(BackSideShapes, ShiftAndScaleAreHonoured) {
+    test::RayScene scene;
+    scene.camera = test::testCamera(320, 240);
+    scene.objects.push_back({kObject, std::make_shared<test::Sphere>(Vector3d(0, 0, 1), 0.1), {}, false});
+    const View view(scene);
+    for (const BackSideMethod method :
+         {BackSideMethod::SpannedMirror, BackSideMethod::PcaMirror, BackSideMethod::ParallelMirror}) {
+        core::BackSideParams params;
+        params.method = method;
+        const float plain = invent(view, params).back.surface.depth(160, 120);
+        params.planeShift = 0.03f;
+        const float shifted = invent(view, params).back.surface.depth(160, 120);
+        if (method == BackSideMethod::SpannedMirror) {
+            // Mirrored in inverse depth: the surface stands where 1/z is half-way.
+            const float surface = 2 / (1 / plain + 1 / 0.9f);
+            EXPECT_NEAR(shifted, 1 / (2 / (surface + 0.03f) - 1 / 0.9f), 0.002f);
+        } else {
+            EXPECT_NEAR(shifted, plain + 0.06f, 0.006f);
+        }
+        params.planeShift = 0;
+        params.thicknessScale = 0.5f;
+        EXPECT_NEAR(invent(view, params).back.surface.depth(160, 120), 0.5f * (plain + 0.9f), 0.001f);
+    }
+}
+
+TEST(BackSideShapes, TinyAndOddSegmentsGiveAStatedResult) {
+    const test::RayScene scene = kTable.with(std::make_shared<test::Sphere>(kTable.top + 0.1 * kTable.up, 0.1));
+    const core::Photo photo = scene.photograph();
+    int cx = 0, cy = 0, count = 0;
+    for (int y = 0; y < 240; ++y)
+        for (int x = 0; x < 320; ++x)
+            if (photo.labels(x, y) == kObject) {
+                cx += x;
+                cy += y;
+                ++count;
+            }
+    cx /= count;
+    cy /= count;
+    const std::vector<std::function<bool(int, int)>> parts{
+        [=](int x, int y) { return x == cx && y == cy; },
+        [=](int x, int y) { return std::abs(x - cx) + std::abs(y - cy) <= 1; },
+        [=](int, int y) { return y == cy; },
+        [=](int x, int) { return x == cx; },
+        [=](int x, int y) { return (x + y) % 2 == 0; },
+        [=](int x, int) { return std::abs(x - cx) > 10; },
+    };
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Result result = inventPart(scene, parts[i]);
+        result.expectValid(0.002f);
+        const core::BackSideInfo& info = result.info();
+        if (i < 2) {
+            EXPECT_EQ(info.used, BackSideMethod::Offset);
+            EXPECT_NE(info.note, "");
+        }
+        EXPECT_GE(info.mirrorError, 0);
+        EXPECT_LE(info.mirrorError, 1);
+    }
+}
+
+TEST(BackSideShapes, NoDepthNoBack) {
+    core::Photo photo = kTable.with(std::make_shared<test::Sphere>(kTable.top, 0.1)).photograph();
+    core::Surface front;
+    front.depth = core::ImageF(320, 240);
+    front.area = front.depth;
+    front.normal = front.position = core::ImageV3(320, 240);
+    front.color = photo.color;
+    const BackLayer back = core::steps::inventBackSide(photo.camera, photo.labels, front, {}, nullptr, 0, {});
+    EXPECT_TRUE(back.segments.empty());
+    EXPECT_TRUE(std::ranges::all_of(back.surface.depth.pixels(), [](float z) { return z == 0; }));
+}
+
+TEST(BackSideShapes, SupportPlaneIsTheTableTop) {
+    const test::RayScene scene = kTable.with(std::make_shared<test::Sphere>(kTable.top + 0.1 * kTable.up, 0.1));
+    const core::Photo photo = scene.photograph();
+    const core::Surface front = scene.frontSurface();
+    const std::vector<bool> supports = core::steps::findSupports(photo.labels);
+    core::steps::SegmentPixels segment{scene.camera, photo.labels, front, supports, kObject, {}, {}};
+    for (int y = 0; y < 240; ++y)
+        for (int x = 0; x < 320; ++x)
+            if (segment.contains(x, y)) {
+                segment.pixels.push_back({x, y});
+                segment.box.add({x, y});
+            }
+    const auto plane = core::steps::fitSupportPlane(segment);
+    ASSERT_TRUE(plane);
+    EXPECT_GT(plane->normal.dot(-kTable.up.cast<float>()), 0.9999f);
+    EXPECT_NEAR(plane->offset, -kTable.top.dot(kTable.up), 1e-3);
+}
+
+}  // namespace
