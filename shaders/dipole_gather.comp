@@ -22,8 +22,9 @@ void main() {
     if (index >= block.pixelCount) return;
     ivec2 pixel = unpackPixel(pixels[block.firstPixel + index]);
     vec3 p = frontPosition(pixel);
-    vec3 sum = block.firstPoint == 0u ? vec3(0.0) : imageLoad(diffusionMap, pixel).rgb;
-    for (uint i = 0u; i < block.pointCount; ++i) {
+    vec3 sum = sliceValue(block.firstPoint) == 0u ? vec3(0.0) : imageLoad(diffusionMap, pixel).rgb;
+    uint pointCount = sliceValue(block.pointCount);
+    for (uint i = 0u; i < pointCount; ++i) {
         vec3 toPoint = points[block.firstPoint + i].position.xyz - p;
         sum += dipole_rd(params, dot(toPoint, toPoint)) * (block.sumScale * sums[block.firstPoint + i].rgb);
     }

@@ -26,8 +26,9 @@ void main() {
     vec3 p = points[index].position.xyz;
     vec3 n = points[index].normal.xyz;
     uint id = uint(points[index].position.w);
-    vec3 sum = block.firstRay == 0u ? vec3(0.0) : sums[index].rgb;
-    for (uint i = 0u; i < block.rayCount; ++i) {
+    vec3 sum = sliceValue(block.firstRay) == 0u ? vec3(0.0) : sums[index].rgb;
+    uint rayCount = sliceValue(block.rayCount);
+    for (uint i = 0u; i < rayCount; ++i) {
         uint ray = block.firstRay + i;
         vec3 wi = sample_cosine_hemisphere(rng_lattice(id, ray, 0u, block.seed));
         vec3 weight = vec3(fresnel_transmission(block.eta, wi.z));

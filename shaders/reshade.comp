@@ -35,8 +35,9 @@ void main() {
     uint index = listIndex();
     if (index >= block.pixelCount) return;
     ivec2 pixel = unpackPixel(pixels[block.firstPixel + index]);
-    vec4 sum = block.firstSample == 0u ? vec4(0.0) : imageLoad(accumulationMap, pixel);
-    for (uint i = 0u; i < block.sampleCount; ++i) {
+    vec4 sum = sliceValue(block.firstSample) == 0u ? vec4(0.0) : imageLoad(accumulationMap, pixel);
+    uint sampleCount = sliceValue(block.sampleCount);
+    for (uint i = 0u; i < sampleCount; ++i) {
         vec3 radiance = pathRadiance(pixel, block.firstSample + i);
         if (path_valid(radiance)) {
             float l = luminance(radiance);
