@@ -14,8 +14,8 @@ struct DirectionalMap {
     ImageRgb radiance;
     /// Observations per texel; 0 = filled by interpolation. Same size as `radiance`.
     ImageF coverage;
-    /// Bit c: every observation of channel c was clipped by the camera; its radiance is at least what was seen, the rest
-    /// is estimated from the pixels around. Empty = nothing clipped.
+    /// Bit c: the camera clipped every observation of channel c; its radiance is at least what was seen, the rest is
+    /// estimated from the pixels around. Empty = nothing clipped.
     Image<std::uint8_t> clipped = {};
 
     [[nodiscard]] bool empty() const { return radiance.empty(); }

@@ -21,10 +21,9 @@ constexpr std::uint32_t kNoiseSeed = 1;
 
 const std::vector<std::pair<const char*, core::BackSideMethod>>& backSideMethods() {
     static const std::vector<std::pair<const char*, core::BackSideMethod>> kMethods = {
-        {"offset", core::BackSideMethod::Offset},
-        {"parallel_mirror", core::BackSideMethod::ParallelMirror},
-        {"pca_mirror", core::BackSideMethod::PcaMirror},
-        {"automatic", core::BackSideMethod::Automatic},
+        {"offset", core::BackSideMethod::Offset},        {"parallel_mirror", core::BackSideMethod::ParallelMirror},
+        {"pca_mirror", core::BackSideMethod::PcaMirror}, {"spanned_mirror", core::BackSideMethod::SpannedMirror},
+        {"flat_faces", core::BackSideMethod::FlatFaces}, {"automatic", core::BackSideMethod::Automatic},
     };
     return kMethods;
 }
