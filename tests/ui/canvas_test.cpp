@@ -11,11 +11,13 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <QThread>
 #include <QTimer>
 #include <QTreeWidget>
 #include <QWindow>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "core/io/image_io.h"
@@ -97,6 +99,15 @@ class CanvasWindowTest : public testing::Test {
 };
 
 // Opens the sample, flags a segment, changes a material, waits, exports; the file equals the headless one.
+constexpr qint64 kLongestStall = 200;  // [ms] on a machine that does nothing else
+
+/// By how much the machine is overbooked, ≥ 1: what runs beside a test stalls its window too.
+double othersShare() {
+    double load = 0;
+    if (getloadavg(&load, 1) != 1) return 1;
+    return std::max(1.0, load / std::max(1, QThread::idealThreadCount()));
+}
+
 TEST_F(CanvasWindowTest, EditedPictureIsExportedAsTheHeadlessOne) {
     StallMeter stalls;
     open();
@@ -111,7 +122,7 @@ TEST_F(CanvasWindowTest, EditedPictureIsExportedAsTheHeadlessOne) {
     auto* exponent = test::child<QSlider>(window_, "exponentSlider");
     // What blocks the thread does so in every round; a busy machine seldom does.
     qint64 longest = std::numeric_limits<qint64>::max();
-    for (int round = 0; round < 5 && longest >= 200; ++round) {
+    for (int round = 0; round < 5 && longest >= kLongestStall; ++round) {
         stalls.reset();
         for (const int position : {200, 300, 400, 500 + round}) {
             exponent->setValue(position);
@@ -122,7 +133,8 @@ TEST_F(CanvasWindowTest, EditedPictureIsExportedAsTheHeadlessOne) {
         longest = std::min(longest, stalls.longest());
     }
     RecordProperty("longest_stall_ms", static_cast<int>(longest));
-    EXPECT_LT(longest, 200) << "the window's thread was blocked";
+    EXPECT_LT(static_cast<double>(longest), static_cast<double>(kLongestStall) * othersShare())
+        << "the window's thread was blocked";
     EXPECT_EQ(window_.canvas().progress().samples, 4);
     EXPECT_EQ(window_.canvas().progress().droppedSamples, 0u);
 
