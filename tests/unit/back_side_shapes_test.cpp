@@ -26,13 +26,14 @@ struct Convex : test::Shape {
 
     [[nodiscard]] std::optional<Interval> intersect(const Vector3d& o, const Vector3d& d) const override {
         const auto value = [&](double t) { return inside(o + t * d - center); };
-        if ((center - o).cross(d).norm() > 0.5 * d.norm()) return std::nullopt;
+        if ((center - o).cross(d).norm() > 0.35 * d.norm()) return std::nullopt;
         const double middle = (center - o).dot(d) / d.squaredNorm();
         double low = middle - 1, high = middle + 1;
-        for (int i = 0; i < 50; ++i) {
+        for (int i = 0; i < 36; ++i) {
             const double a = low + (high - low) / 3;
             const double b = high - (high - low) / 3;
-            (value(a) < value(b) ? high : low) = value(a) < value(b) ? b : a;
+            const bool nearer = value(a) < value(b);
+            (nearer ? high : low) = nearer ? b : a;
         }
         const double deepest = (low + high) / 2;
         if (value(deepest) >= 0) return std::nullopt;
