@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <map>
+#include <numbers>
 
 namespace core {
 namespace {
@@ -27,7 +28,7 @@ void noteLight(const Scene& scene, const Analysis& analysis, std::vector<std::st
             if (map.coverage(x, y) > 0)
                 seen += static_cast<double>(
                     DirectionalMap::texelSolidAngle(y, map.coverage.width(), map.coverage.height()));
-    const std::string percent = number("%.0f", seen / (4 * 3.14159265358979) * 100) + " % of all directions";
+    const std::string percent = number("%.0f", seen / (4 * std::numbers::pi) * 100) + " % of all directions";
     const bool glossy = std::ranges::any_of(scene.segments, [](const Segment& s) { return s.glossy; });
     const std::string rest = params.image ? "the loaded map gives the rest" : "the rest is guessed";
     if (seen <= 0) {

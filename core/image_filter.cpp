@@ -9,14 +9,14 @@
 #include <cmath>
 #include <utility>
 
+#include "core/luminance.h"
+
 namespace core {
 
 namespace {
 
 constexpr float kEpsilon = 1e-6f;
 constexpr std::array<float, 5> kSpline{1.0f / 16, 4.0f / 16, 6.0f / 16, 4.0f / 16, 1.0f / 16};
-
-float luminanceOf(const Vector3f& c) { return kernel::luminance({c.x(), c.y(), c.z()}); }
 
 class Filter {
   public:
@@ -61,7 +61,7 @@ class Filter {
     [[nodiscard]] float initialVariance(const Accumulation& accumulation, int x, int y) const {
         const auto n = static_cast<float>(accumulation.samples);
         if (accumulation.samples >= kTemporalSamples) {
-            const float mean = luminanceOf(color_(x, y));
+            const float mean = luminance(color_(x, y));
             return std::max((accumulation.sumSquaredLuminance(x, y) / n - mean * mean) / (n - 1), 0.0f);
         }
         float sum = 0;
@@ -70,7 +70,7 @@ class Filter {
         for (int dy = -3; dy <= 3; ++dy)
             for (int dx = -3; dx <= 3; ++dx) {
                 if (!together(x, y, x + dx, y + dy)) continue;
-                const float l = luminanceOf(color_(x + dx, y + dy));
+                const float l = luminance(color_(x + dx, y + dy));
                 sum += l;
                 squared += l * l;
                 count += 1;
@@ -95,7 +95,7 @@ class Filter {
         const Vector3f position = front_.position(x, y);
         const Vector3f normal = front_.normal(x, y);
         const float footprint = front_.depth(x, y) / camera_.fx;
-        const float luminance = luminanceOf(color_(x, y));
+        const float here = luminance(color_(x, y));
         const float luminanceScale = 1 / (params_.luminanceSigma * std::sqrt(variance) + kEpsilon);
         const float depthScale = 1 / (params_.depthSigma * footprint * static_cast<float>(step));
         Vector3f color = Vector3f::Zero();
@@ -113,7 +113,7 @@ class Filter {
                     const auto distance = static_cast<float>(std::max(std::abs(dx), std::abs(dy)));
                     w *= std::pow(cosine, params_.normalPower) *
                          std::exp(-plane * depthScale / distance -
-                                  std::abs(luminanceOf(color_(qx, qy)) - luminance) * luminanceScale);
+                                  std::abs(luminance(color_(qx, qy)) - here) * luminanceScale);
                 }
                 color += w * color_(qx, qy);
                 weights += w;

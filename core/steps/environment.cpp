@@ -7,7 +7,6 @@
 
 #include "core/parallel.h"
 #include "core/steps/deconvolve.h"
-#include "core/steps/distant_pixels.h"
 
 namespace core::steps {
 namespace {
@@ -20,21 +19,20 @@ constexpr float kUnreliableConfidence = 0.2f;
 namespace {
 
 /// Distant pixels: light seen directly.
-DirectionalMap distantLight(const Photo& photo, const ImageF& depth, int mapHeight, Vector3f& mean,
+DirectionalMap distantLight(const Photo& photo, const Image<std::uint8_t>& distant, int mapHeight, Vector3f& mean,
                             const StepContext& context) {
-    const Image<std::uint8_t> distant = findDistantPixels(depth);
     DirectionalAccumulator sum(mapHeight);
     Eigen::Vector3d total = Eigen::Vector3d::Zero();
-    for (int y = 0; y < depth.height(); ++y) {
-        context.checkpoint(kName, 0.2f * static_cast<float>(y) / static_cast<float>(depth.height()));
-        for (int x = 0; x < depth.width(); ++x) {
+    for (int y = 0; y < distant.height(); ++y) {
+        context.checkpoint(kName, 0.2f * static_cast<float>(y) / static_cast<float>(distant.height()));
+        for (int x = 0; x < distant.width(); ++x) {
             const Vector3f& color = photo.color(x, y);
             total += color.cast<double>();
             if (distant(x, y) != 0)
                 sum.add(photo.camera.pixelRay(x, y).normalized(), color, 1, clippedChannels(photo, x, y));
         }
     }
-    mean = (total / static_cast<double>(std::max<std::size_t>(1, depth.size()))).cast<float>();
+    mean = (total / static_cast<double>(std::max<std::size_t>(1, distant.size()))).cast<float>();
     return sum.map();
 }
 
@@ -76,7 +74,8 @@ DirectionalMap merge(std::span<const LobeObservations> sources, int mapHeight) {
 
 }  // namespace
 
-DirectionalMap recoverEnvironment(const Photo& photo, const ImageF& depth, const EnvironmentParams& params,
+DirectionalMap recoverEnvironment(const Photo& photo, const Image<std::uint8_t>& distant,
+                                  const EnvironmentParams& params,
                                   std::span<const std::shared_ptr<const Reflectance>> reflectances,
                                   std::span<const std::shared_ptr<const SegmentReflections>> reflections,
                                   const StepContext& context) {
@@ -84,7 +83,7 @@ DirectionalMap recoverEnvironment(const Photo& photo, const ImageF& depth, const
     const int mapHeight = std::clamp(params.height, 4, 2048);
     Vector3f mean;
     std::vector<LobeObservations> sources;
-    sources.push_back({distantLight(photo, depth, mapHeight, mean, context), 0, {0, 0, 1}, 1});
+    sources.push_back({distantLight(photo, distant, mapHeight, mean, context), 0, {0, 0, 1}, 1});
     for (std::size_t i = 0; i < reflections.size(); ++i) {
         const Reflectance& reflectance = *reflectances[i];
         LobeObservations source{reflections[i]->missed, reflectance.alpha, reflections[i]->view,
@@ -157,7 +156,7 @@ Step environmentStep() {
         board.environment = std::make_shared<DirectionalMap>(
             replaced
                 ? userEnvironment(*p.image, p.rotation, p.scale, std::min(p.image->height(), kMaxUserRows), context)
-                : recoverEnvironment(*scene.photo, board.depth->depth, p, board.reflectances, board.reflections,
+                : recoverEnvironment(*scene.photo, board.depth->distant, p, board.reflectances, board.reflections,
                                      context));
     };
     return step;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/steps/distant_pixels.h"
 
 namespace core::steps {
 namespace {
@@ -390,6 +391,7 @@ Step filterDepthStep() {
         if (board.scene->depthFilter.enabled)
             fillSmallHoles(result->depth, photo.labels, board.scene->depthFilter.holeRadius);
         completeSegments(result->depth, photo.labels, context);
+        result->distant = findDistantPixels(result->depth);
         board.depth = std::move(result);
     };
     return step;

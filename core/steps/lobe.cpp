@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/luminance.h"
+
 namespace core::steps {
 namespace {
 
@@ -15,8 +17,6 @@ constexpr std::size_t kMinProbes = 50;
 /// `kMinError` of their radiance unexplained.
 constexpr double kDistinct = 0.93;
 constexpr double kMinError = 0.005;
-
-float luminance(const Vector3f& c) { return c.dot(Vector3f(0.2126f, 0.7152f, 0.0722f)); }
 
 /// Outer edge of ring `i`.
 float ringEdge(int i) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/steps/mirror_plane.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "core/steps/principal_axes.h"
 
 namespace core::steps {
 namespace {
@@ -16,21 +17,12 @@ constexpr std::size_t kTestedPoints = 20000;
 
 std::optional<Vector3f> mirrorAxis(std::span<const Vector3f> points) {
     if (points.size() < 3) return std::nullopt;
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Vector3f& p : points) mean += p.cast<double>();
-    mean /= static_cast<double>(points.size());
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (const Vector3f& p : points) {
-        const Eigen::Vector3d d = p.cast<double>() - mean;
-        covariance += d * d.transpose();
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-    // Ascending eigenvalues: on a line the two smaller ones vanish and their axes are arbitrary.
-    if (solver.info() != Eigen::Success || solver.eigenvalues()[1] <= 1e-9 * solver.eigenvalues()[2])
-        return std::nullopt;
+    const auto axes = principalAxes(points);
+    // On a line the two smaller eigenvalues vanish and their axes are arbitrary.
+    if (!axes || axes->eigenvalues[1] <= 1e-9 * axes->eigenvalues[2]) return std::nullopt;
     Eigen::Index best = 0;
-    solver.eigenvectors().row(2).cwiseAbs().maxCoeff(&best);
-    const Eigen::Vector3d axis = solver.eigenvectors().col(best);
+    axes->eigenvectors.row(2).cwiseAbs().maxCoeff(&best);
+    const Eigen::Vector3d axis = axes->eigenvectors.col(best);
     return (axis.z() < 0 ? -axis : axis).cast<float>();
 }
 

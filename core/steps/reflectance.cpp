@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/luminance.h"
 #include "core/parallel.h"
 #include "core/steps/distant_pixels.h"
 #include "core/steps/lobe.h"
@@ -25,8 +26,6 @@ constexpr float kMinRho = 0.02f;
 constexpr float kMaxRho = 1.15f;
 /// Beyond this angle (cosine) a mirrored direction depends more on the error of the normal than on the normal.
 constexpr float kMinCosine = 0.08f;
-
-float luminance(const Vector3f& c) { return c.dot(Vector3f(0.2126f, 0.7152f, 0.0722f)); }
 
 /// Where a ray from a pixel of the segment, or from its centre, ended.
 struct Ending {
@@ -391,7 +390,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
 Step reflectanceStep() {
     Step step;
     step.name = kName;
-    step.reads = {Item::Photo, Item::Front, Item::Back, Item::Layers};
+    step.reads = {Item::Photo, Item::Depth, Item::Front, Item::Back, Item::Layers};
     step.writes = Item::Reflectances;
     step.params = [](const Scene& scene, Hash& hash) {
         hash.add(scene.environment.height).add(scene.environment.fill);
@@ -413,7 +412,6 @@ Step reflectanceStep() {
         for (const Segment* segment : glossy) hash.add(segment->label);
 
         const MarchPyramid pyramid(*board.layers);
-        const Image<std::uint8_t> distant = findDistantPixels(board.front->depth);
         std::vector<std::shared_ptr<const Reflectance>> results;
         std::vector<std::shared_ptr<const SegmentReflections>> reflections;
         for (std::size_t i = 0; i < glossy.size(); ++i) {
@@ -422,8 +420,8 @@ Step reflectanceStep() {
             if (!cached.reflections || cached.key != hash.value()) {
                 const auto count = static_cast<float>(glossy.size());
                 cached.reflections = std::make_shared<SegmentReflections>(
-                    estimateReflectance(scene, *board.front, board.back->surface, pyramid, distant, label, context,
-                                        static_cast<float>(i) / count, static_cast<float>(i + 1) / count));
+                    estimateReflectance(scene, *board.front, board.back->surface, pyramid, board.depth->distant, label,
+                                        context, static_cast<float>(i) / count, static_cast<float>(i + 1) / count));
                 cached.key = hash.value();
             }
             auto result = std::make_shared<Reflectance>(cached.reflections->estimate);

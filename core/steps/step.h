@@ -57,8 +57,9 @@ enum class Item { Photo, UserBackDepth, UserEnvironment, Depth, Front, Back, Lay
 
 /// Depth after the filter.
 struct FilteredDepth {
-    ImageF depth;             ///< planar z [m], 0 = none
-    float relativeNoise = 0;  ///< standard deviation of the measured depth divided by it, estimated from the photo
+    ImageF depth;                 ///< planar z [m], 0 = none
+    Image<std::uint8_t> distant;  ///< 1 = shows distant light (`findDistantPixels`)
+    float relativeNoise = 0;      ///< standard deviation of the measured depth divided by it, estimated from the photo
 };
 
 /// Result of the back-side step.

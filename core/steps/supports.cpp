@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/steps/supports.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <random>
 #include <span>
+
+#include "core/steps/principal_axes.h"
 
 namespace core::steps {
 namespace {
@@ -33,20 +34,6 @@ std::vector<Vector3f> supportPointsAround(const SegmentPixels& segment) {
         }
     }
     return points;
-}
-
-SupportPlane leastSquares(std::span<const Vector3f> points) {
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Vector3f& p : points) mean += p.cast<double>();
-    mean /= static_cast<double>(points.size());
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (const Vector3f& p : points) {
-        const Eigen::Vector3d d = p.cast<double>() - mean;
-        covariance += d * d.transpose();
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-    const Eigen::Vector3d normal = solver.eigenvectors().col(0);
-    return {normal.cast<float>(), static_cast<float>(normal.dot(mean))};
 }
 
 }  // namespace
@@ -115,7 +102,10 @@ std::optional<SupportPlane> fitSupportPlane(const SegmentPixels& segment) {
         static_cast<double>(inliers.size()) < kMinInliers * static_cast<double>(points.size()))
         return std::nullopt;
 
-    SupportPlane plane = leastSquares(inliers);
+    const auto axes = principalAxes(inliers);
+    if (!axes) return std::nullopt;
+    const Eigen::Vector3d normal = axes->eigenvectors.col(0);
+    SupportPlane plane{normal.cast<float>(), static_cast<float>(normal.dot(axes->mean))};
     if (plane.offset < 0) plane = {-plane.normal, -plane.offset};
     const auto beyondCount = std::ranges::count_if(segment.pixels, [&](const Pixel& pixel) {
         const Vector3f& p = segment.front.position(pixel.x, pixel.y);

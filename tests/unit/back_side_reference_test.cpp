@@ -26,8 +26,7 @@ using core::BackSideMethod;
 constexpr std::array kMethods{BackSideMethod::Offset,        BackSideMethod::ParallelMirror, BackSideMethod::PcaMirror,
                               BackSideMethod::SpannedMirror, BackSideMethod::FlatFaces,      BackSideMethod::Automatic};
 
-/// Where the automatic choice is known to miss the best method by more than a tenth of the thickness: a sack whose
-/// outline wanders in depth with its folds and lies against the vase.
+/// Where the automatic choice is known to miss the best method by more than a tenth of the thickness; why is not known.
 const std::set<std::string> kKnownMisses{"studio/bag"};
 const std::set<std::string> kConvex{"synthetic/sphere_bag/sphere",
                                     "synthetic/buddha/chrome_ball",
