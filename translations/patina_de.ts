@@ -322,6 +322,10 @@
         <source>Picture</source>
         <translation>Bild</translation>
     </message>
+    <message>
+        <source>The graphics device is lost whenever this picture is drawn. Your edits are not affected: undo the last one, or save and start Patina again with another device.</source>
+        <translation>Das Grafikgerät fällt bei diesem Bild jedes Mal aus. Ihre Bearbeitung ist nicht betroffen: Machen Sie den letzten Schritt rückgängig, oder speichern Sie und starten Sie Patina mit einem anderen Gerät neu.</translation>
+    </message>
 </context>
 <context>
     <name>ui::CanvasWindow</name>

@@ -4,6 +4,7 @@
 #include <qfloat16.h>
 #include <QLabel>
 #include <QStackedLayout>
+#include <QTimer>
 #include <QVulkanInstance>
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,14 @@
 #include "ui/vulkan_support.h"
 
 namespace ui {
+
+namespace {
+
+/// Time the sentence about a lost device stays readable [ms].
+constexpr int kRestartDelay = 1000;
+constexpr int kMaxRestarts = 3;
+
+}  // namespace
 
 std::shared_ptr<const CanvasPicture> makeCanvasPicture(const LayerPicture& picture) {
     constexpr float kLargestHalf = 65504;
@@ -76,6 +85,7 @@ Canvas::Canvas(QVulkanInstance* instance, const QString& problem, const QString&
         emit deviceReady(name);
     });
     connect(window_, &CanvasWindow::progressChanged, this, &Canvas::progressChanged);
+    connect(window_, &CanvasWindow::framePresented, this, &Canvas::framePresented);
     connect(window_, &CanvasWindow::cursorMoved, this, &Canvas::cursorMoved);
     connect(window_, &CanvasWindow::segmentClicked, this, &Canvas::segmentClicked);
     connect(window_, &CanvasWindow::zoomChanged, this, &Canvas::zoomChanged);
@@ -88,6 +98,9 @@ Canvas::Canvas(QVulkanInstance* instance, const QString& problem, const QString&
             emit failed(sentence);
         },
         Qt::QueuedConnection);
+    connect(
+        window_, &CanvasWindow::deviceLost, this, [this] { QTimer::singleShot(kRestartDelay, this, &Canvas::restart); },
+        Qt::QueuedConnection);
 }
 
 Canvas::~Canvas() = default;
@@ -95,6 +108,18 @@ Canvas::~Canvas() = default;
 void Canvas::showMessage(const QString& text) {
     message_->setText(text);
     stack_->setCurrentWidget(message_);
+}
+
+void Canvas::restart() {
+    if (++restarts_ > kMaxRestarts) {
+        showMessage(
+            tr("The graphics device is lost whenever this picture is drawn. Your edits are not affected: undo "
+               "the last one, or save and start Patina again with another device."));
+        return;
+    }
+    window_->renderer()->retry();
+    stack_->setCurrentWidget(container_);
+    window_->redraw();
 }
 
 QString Canvas::deviceName() const {
@@ -112,6 +137,7 @@ void Canvas::setPhoto(std::shared_ptr<const core::Photo> photo) {
     state.selected = 0;
     state.cursorInside = false;
     state.view.fit();
+    restarts_ = 0;
     if (window_->renderer() != nullptr) window_->renderer()->retry();
     stack_->setCurrentWidget(container_);
     window_->updateSizes();
@@ -140,6 +166,9 @@ void Canvas::setScene(const core::Scene& scene, std::shared_ptr<const core::Anal
     window_->state().scene = std::make_shared<const core::Scene>(scene);
     window_->state().analysis = std::move(analysis);
     if (window_->renderer() != nullptr) window_->renderer()->sceneChanged();
+    // Another edit may be one that the device survives.
+    if (restarts_ > kMaxRestarts) QTimer::singleShot(kRestartDelay, this, &Canvas::restart);
+    restarts_ = 0;
     window_->redraw();
 }
 

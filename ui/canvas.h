@@ -84,6 +84,7 @@ class Canvas : public QWidget {
     void deviceReady(const QString& name);
     /// After every frame that did work, and once when the renderer finishes.
     void progressChanged();
+    void framePresented();
     void cursorMoved(const ui::CursorValue& value);
     void segmentClicked(quint16 label);
     void zoomChanged(double zoom);
@@ -92,11 +93,14 @@ class Canvas : public QWidget {
 
   private:
     void showMessage(const QString& text);
+    /// Shows the window again, which makes it start a device; gives up when that was in vain too often.
+    void restart();
 
     CanvasWindow* window_ = nullptr;  ///< owned by its container
     QWidget* container_ = nullptr;
     QStackedLayout* stack_ = nullptr;
     QLabel* message_ = nullptr;
+    int restarts_ = 0;  ///< since the user last changed something
 };
 
 }  // namespace ui

@@ -70,6 +70,7 @@ void CanvasRenderer::releaseResources() { drop(); }
 
 void CanvasRenderer::logicalDeviceLost() {
     fail(CanvasWindow::tr("The graphics device was lost and is being started again. Your edits are not affected."));
+    emit window_.deviceLost();
 }
 
 void CanvasRenderer::physicalDeviceLost() {
@@ -131,6 +132,7 @@ void CanvasRenderer::startNextFrame() {
     }
     if (!drawn_) clear();
     window_.frameReady();
+    emit window_.framePresented();
 }
 
 void CanvasRenderer::clear() {

@@ -50,6 +50,10 @@ class CanvasWindow : public QVulkanWindow {
   signals:
     void deviceReady(const QString& name);
     void progressChanged();
+    /// A frame was handed to the display; it shows the state of when it was begun.
+    void framePresented();
+    /// After `failed`: QVulkanWindow has given the device up and makes another one when it is next exposed.
+    void deviceLost();
     void cursorMoved(const ui::CursorValue& value);
     void segmentClicked(quint16 label);
     void zoomChanged(double zoom);

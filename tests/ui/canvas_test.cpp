@@ -4,7 +4,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QScreen>
@@ -12,7 +11,6 @@
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QThread>
-#include <QTimer>
 #include <QTreeWidget>
 #include <QWindow>
 #include <algorithm>
@@ -25,36 +23,15 @@
 #include "core/pipeline.h"
 #include "core/render/renderer.h"
 #include "gpu/instance.h"
+#include "tests/ui/stall_meter.h"
 #include "tests/ui/support.h"
+#include "ui/canvas_renderer.h"
+#include "ui/canvas_window.h"
 #include "ui/main_window.h"
 
 namespace {
 
 const QString kSample = QStringLiteral(PATINA_SAMPLES "/studio/studio.patina");
-
-/// Longest time the event loop did not come round [ms].
-class StallMeter {
-  public:
-    StallMeter() {
-        QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] { lap(); });
-        timer_.start(1);
-        clock_.start();
-    }
-    qint64 longest() {
-        lap();
-        return longest_;
-    }
-    void reset() {
-        clock_.restart();
-        longest_ = 0;
-    }
-
-  private:
-    void lap() { longest_ = std::max(longest_, clock_.restart()); }
-    QTimer timer_;
-    QElapsedTimer clock_;
-    qint64 longest_ = 0;
-};
 
 class CanvasWindowTest : public testing::Test {
   protected:
@@ -109,7 +86,7 @@ double othersShare() {
 }
 
 TEST_F(CanvasWindowTest, EditedPictureIsExportedAsTheHeadlessOne) {
-    StallMeter stalls;
+    test::StallMeter stalls;
     open();
     setSamples(4);
     settle();
@@ -229,6 +206,32 @@ TEST_F(CanvasWindowTest, UndoRedoAndMinimisingDoNotDisturbRefinement) {
         QTest::qWait(50);
     }
     EXPECT_EQ(window_.findChild<QObject*>("errorDialog"), nullptr);
+}
+
+// Only the order of things can be tested: no driver can be asked to lose its device.
+TEST_F(CanvasWindowTest, StartsAgainAfterTheDeviceWasLost) {
+    open();
+    setSamples(1);
+    settle();
+    auto* message = test::child<QLabel>(window_, "canvasMessage");
+    ui::CanvasWindow* native = nullptr;
+    for (QWindow* each : QGuiApplication::allWindows())
+        if (auto* canvas = qobject_cast<ui::CanvasWindow*>(each)) native = canvas;
+    ASSERT_NE(native, nullptr);
+    for (int loss = 0; loss < 4; ++loss) {
+        native->renderer()->logicalDeviceLost();
+        ASSERT_TRUE(test::waitUntil([&] { return message->isVisible(); }, 5000));
+        EXPECT_TRUE(message->text().contains(QStringLiteral("being started again"))) << message->text().toStdString();
+        if (loss < 3) {
+            ASSERT_TRUE(test::waitUntil([&] { return !message->isVisible() && window_.settled(); }, 60000)) << loss;
+        }
+    }
+    ASSERT_TRUE(
+        test::waitUntil([&] { return message->text().contains(QStringLiteral("whenever this picture")); }, 5000));
+    window_.workspace().select(label("vase"));
+    chooseBrdf("lambert");
+    ASSERT_TRUE(test::waitUntil([&] { return !message->isVisible() && window_.settled(); }, 60000))
+        << "after another edit";
 }
 
 }  // namespace
