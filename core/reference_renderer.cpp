@@ -9,6 +9,7 @@
 
 #include "core/brdf.h"
 #include "core/image_filter.h"
+#include "core/luminance.h"
 #include "core/parallel.h"
 #include "shaders/shared/rng.h"
 
@@ -71,41 +72,80 @@ struct ReferenceRenderer::Vertex {
     kernel::vec3 n;  ///< shading normal, n·wo > 0
     kernel::vec3 wo;
     const kernel::SegmentShading* shading;
+    kernel::uint role;  ///< shaders/shared/path.h
+    float eta = 1;      ///< of the boundary, for kPathEnter
 };
 
-ReferenceRenderer::ReferenceRenderer(const Scene& scene, std::shared_ptr<const Analysis> analysis)
+/// Where a path's random numbers come from.
+struct ReferenceRenderer::Path {
+    std::uint32_t pixel, sample, seed;
+};
+
+ReferenceRenderer::ReferenceRenderer(const Scene& scene, std::shared_ptr<const Analysis> analysis,
+                                     LightSampling lightSampling)
     : scene_(scene),
       analysis_(std::move(analysis)),
       layers_(analysis_->layers ? analysis_->layers
                                 : std::make_shared<DepthLayers>(buildDepthLayers(
                                       scene.photo->camera, scene.photo->labels, *analysis_->front, *analysis_->back))),
-      shading_(buildSegmentShading(scene_, *analysis_)) {}
+      shading_(buildSegmentShading(scene_, *analysis_)) {
+    if (lightSampling == LightSampling::Both && analysis_->environment)
+        sampler_ = EnvironmentSampler(*analysis_->environment);
+}
 
 const kernel::SegmentShading& ReferenceRenderer::shadingOf(std::uint16_t label) const {
     return shading_[label < shading_.size() ? label : 0];
 }
 
-Vector3f ReferenceRenderer::follow(const Vertex& start, kernel::vec3 throughput, kernel::vec3 direction,
-                                   std::uint32_t pixel, std::uint32_t sample, std::uint32_t seed) const {
+Vector3f ReferenceRenderer::environment(kernel::vec3 direction) const {
+    if (!analysis_->environment) return Vector3f::Zero();
+    return analysis_->environment->lookup(fromKernel(direction));
+}
+
+kernel::vec3 ReferenceRenderer::leave(const Vertex& vertex, const Path& path, std::uint32_t b,
+                                      kernel::vec3& direction) const {
+    const kernel::SegmentShading& shading = *vertex.shading;
+    const kernel::vec3 wo = kernel::to_local(vertex.n, vertex.wo);
+    const kernel::vec2 u = b == 0 ? kernel::rng_lattice(path.pixel, path.sample, 0, path.seed)
+                                  : kernel::rng_vec2(path.pixel, path.sample, 2 * b, path.seed);
+    kernel::vec3 weight;
+    const kernel::vec3 wi = kernel::path_scatter(shading, vertex.role, vertex.eta, wo, u, weight);
+    direction = kernel::normalize(kernel::from_local(vertex.n, wi));
+    if (sampler_.empty()) return weight;
+
+    const kernel::vec3 w = kernel::rng_light(path.pixel, path.sample, b, path.seed);
+    const EnvironmentSampler::Sample found = sampler_.sample(w.x, w.y);
+    const kernel::vec3 towards = kernel::to_local(vertex.n, toKernel(found.direction));
+    const auto expected = [&](kernel::vec3 d) { return luminance(environment(d)) + sampler_.meanLuminance(); };
+    kernel::PathCandidate own{.weight = weight,
+                              .pdf = wi.z > 0 ? kernel::path_pdf(shading, vertex.role, wo, wi) : 0,
+                              .otherPdf = sampler_.pdf(fromKernel(direction)),
+                              .expectedLight = expected(direction)};
+    kernel::PathCandidate bright{
+        .weight = {}, .pdf = 0, .otherPdf = 0, .expectedLight = expected(toKernel(found.direction))};
+    if (towards.z > 0 && found.pdf > 0) {
+        bright.weight = kernel::path_value(shading, vertex.role, vertex.eta, wo, towards) / found.pdf;
+        bright.pdf = found.pdf;
+        bright.otherPdf = kernel::path_pdf(shading, vertex.role, wo, towards);
+    }
+    kernel::uint chosen = 0;
+    weight = kernel::path_choose(own, bright, w.z, chosen);
+    if (chosen == 1) direction = toKernel(found.direction);
+    return weight;
+}
+
+Vector3f ReferenceRenderer::follow(Vertex vertex, const Path& path) const {
     kernel::vec3 radiance(0.0f);
-    Vertex vertex = start;
-    const int bounces = std::max(scene_.render.bounces, 1);
-    for (int b = 0; b < bounces; ++b) {
-        if (b > 0) {
-            const kernel::vec2 u = kernel::rng_vec2(pixel, sample, 2 * static_cast<kernel::uint>(b), seed);
-            kernel::vec3 weight;
-            const kernel::vec3 wi =
-                kernel::path_scatter(*vertex.shading, false, kernel::to_local(vertex.n, vertex.wo), u, weight);
-            if (wi.z <= 0) break;
-            throughput *= weight;
-            direction = kernel::normalize(kernel::from_local(vertex.n, wi));
-        }
+    kernel::vec3 throughput(1.0f);
+    const auto bounces = static_cast<std::uint32_t>(std::max(scene_.render.bounces, 1));
+    for (std::uint32_t b = 0; b < bounces; ++b) {
+        kernel::vec3 direction;
+        throughput *= leave(vertex, path, b, direction);
         if (kernel::max(throughput.x, kernel::max(throughput.y, throughput.z)) == 0) break;
         const kernel::vec3 origin = vertex.p + vertex.n * marchBias(layers_->camera, vertex.p.z);
         const std::optional<MarchHit> hit = march(*layers_, fromKernel(origin), fromKernel(direction));
         if (!hit) {
-            if (analysis_->environment && !analysis_->environment->empty())
-                radiance += throughput * toKernel(analysis_->environment->lookup(fromKernel(direction)));
+            radiance += throughput * toKernel(environment(direction));
             break;
         }
         const Surface& layer = hit->back ? *analysis_->back : *analysis_->front;
@@ -122,6 +162,7 @@ Vector3f ReferenceRenderer::follow(const Vertex& start, kernel::vec3 throughput,
         vertex.wo = -direction;
         vertex.n = kernel::shading_normal(normal, vertex.wo);
         vertex.shading = &shading;
+        vertex.role = kernel::kPathLater;
     }
     return fromKernel(radiance);
 }
@@ -135,13 +176,8 @@ Vector3f ReferenceRenderer::pathRadiance(int x, int y, std::uint32_t sample) con
     vertex.wo = kernel::normalize(-vertex.p);
     vertex.n = kernel::shading_normal(toKernel(front.normal(x, y)), vertex.wo);
     vertex.shading = &shading;
-    const auto pixel = static_cast<std::uint32_t>(front.depth.index(x, y));
-    const std::uint32_t seed = scene_.render.seed;
-    kernel::vec3 weight;
-    const kernel::vec3 wi = kernel::path_scatter(shading, true, kernel::to_local(vertex.n, vertex.wo),
-                                                 kernel::rng_lattice(pixel, sample, 0, seed), weight);
-    if (wi.z <= 0) return Vector3f::Zero();
-    return follow(vertex, weight, kernel::normalize(kernel::from_local(vertex.n, wi)), pixel, sample, seed);
+    vertex.role = kernel::kPathPrimary;
+    return follow(vertex, {static_cast<std::uint32_t>(front.depth.index(x, y)), sample, scene_.render.seed});
 }
 
 Accumulation ReferenceRenderer::reshade(int samples, std::uint32_t first, const StepContext& context) const {
@@ -186,13 +222,11 @@ std::vector<Vector3f> ReferenceRenderer::irradiance(const SurfaceSamples& sample
         vertex.n = toKernel(sample.normal);
         vertex.wo = vertex.n;
         vertex.shading = &shadingOf(label);
+        vertex.role = kernel::kPathEnter;
+        vertex.eta = eta;
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (int j = 0; j < rays; ++j) {
-            const auto ray = static_cast<std::uint32_t>(j);
-            const kernel::vec3 wi = kernel::sample_cosine_hemisphere(kernel::rng_lattice(id, ray, 0, seed));
-            const kernel::vec3 weight(kernel::fresnel_transmission(eta, wi.z));
-            const Vector3f value =
-                follow(vertex, weight, kernel::normalize(kernel::from_local(vertex.n, wi)), id, ray, seed);
+            const Vector3f value = follow(vertex, {id, static_cast<std::uint32_t>(j), seed});
             if (kernel::path_valid(toKernel(value))) sum += value.cast<double>();
         }
         if (rays > 0) result[static_cast<std::size_t>(i)] = (sum * (M_PI / rays)).cast<float>();

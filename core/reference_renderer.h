@@ -7,6 +7,7 @@
 
 #include "core/analysis.h"
 #include "core/depth_layers.h"
+#include "core/environment_sampler.h"
 #include "core/scene.h"
 #include "core/step_context.h"
 #include "core/translucency.h"
@@ -23,9 +24,12 @@ namespace core {
 //   for b = 0 .. N-1:
 //     n  = shading_normal(n, wo)                                   (tilts normals that face away from wo)
 //     u  = b == 0 ? rng_lattice(pixel id, s, 0, seed) : rng_vec2(pixel id, s, 2b, seed)
-//     wi = path_scatter(S, b == 0, to_local(n, wo), u, weight);    if wi.z <= 0: end
+//     wi = path_scatter(S, role, to_local(n, wo), u, weight);  d = normalize(from_local(n, wi))
+//     where the environment is sampled (EnvironmentSampler not empty):
+//       w = rng_light(pixel id, s, b, seed);  d' = EnvironmentSampler::sample(w.x, w.y)
+//       (d, weight) = path_choose of d and d' by w.z; one ray is marched, so that a surface met by either counts
 //     T *= weight;                                                 if T == 0: end
-//     d  = normalize(from_local(n, wi));  o = p + n · marchBias(camera, p.z)
+//     o  = p + n · marchBias(camera, p.z)
 //     march(o, d);  miss: L += T · environment(d), end             (no environment: black)
 //     c  = colour of the hit pixel, of the layer that was entered;  S = shading[label of the hit pixel]
 //     if S.blend.w == 0 or b == N-1 or the layer's normal there is zero: L += T · c, end
@@ -38,9 +42,8 @@ namespace core {
 //
 // Surface samples: sampleSurface(seed) draws its positions with rng_stream(seed, 2l).
 //
-// Irradiance of surface sample i of label l: pixel id = i, seed = rng_stream(seed, 2l+1), ray j is s = j; b = 0 draws
-// wi = sample_cosine_hemisphere(rng_lattice(i, j, 0, seed)) around the sample's normal with weight = F_t(wi.z) instead
-// of path_scatter; from then on the same loop. Ê = (π/N_rays) Σ radiance.
+// Irradiance of surface sample i of label l: pixel id = i, seed = rng_stream(seed, 2l+1), ray j is s = j; the same
+// loop with the role kPathEnter at b = 0: cosine-weighted directions, weight F_t(wi.z). Ê = (π/N_rays) Σ radiance.
 //
 // Translucent radiance before the outgoing Fresnel factor: B(p) = (1/π)(Ã/|S|) Σ_i Ê_i R_d(|p − s_i|²) with dipole_rd
 // of the dipole smoothedFor(samples); L_t = F_t(max(n·wo, 0)) · B with n = shading_normal(n, wo).
@@ -67,7 +70,8 @@ struct Accumulation {
 /// scene's values; the analysis must hold front and back (layers are built from them when it has none).
 class ReferenceRenderer {
   public:
-    ReferenceRenderer(const Scene& scene, std::shared_ptr<const Analysis> analysis);
+    ReferenceRenderer(const Scene& scene, std::shared_ptr<const Analysis> analysis,
+                      LightSampling lightSampling = LightSampling::Both);
 
     /// One path through pixel (x, y); zero where nothing is re-shaded.
     [[nodiscard]] Vector3f pathRadiance(int x, int y, std::uint32_t sample) const;
@@ -95,14 +99,18 @@ class ReferenceRenderer {
 
   private:
     struct Vertex;
-    [[nodiscard]] Vector3f follow(const Vertex& start, kernel::vec3 throughput, kernel::vec3 direction,
-                                  std::uint32_t pixel, std::uint32_t sample, std::uint32_t seed) const;
+    struct Path;
+    [[nodiscard]] Vector3f follow(Vertex vertex, const Path& path) const;
+    [[nodiscard]] kernel::vec3 leave(const Vertex& vertex, const Path& path, std::uint32_t b,
+                                     kernel::vec3& direction) const;
+    [[nodiscard]] Vector3f environment(kernel::vec3 direction) const;
     [[nodiscard]] const kernel::SegmentShading& shadingOf(std::uint16_t label) const;
 
     Scene scene_;
     std::shared_ptr<const Analysis> analysis_;
     std::shared_ptr<const DepthLayers> layers_;
     std::vector<kernel::SegmentShading> shading_;
+    EnvironmentSampler sampler_;
 };
 
 /// Everything: re-shades, scatters, filters (when the scene asks for it) and composites.

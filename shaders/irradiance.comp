@@ -1,11 +1,10 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light that enters a translucent body at its surface samples (DESIGN 3.6): cosine-weighted rays, each times the Fresnel
+// Light that enters a translucent body at its surface samples (DESIGN 3.6): paths weighted by cosine and Fresnel
 // transmission, summed in order.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shaders/lib/geometry.glsl"
-#include "shaders/shared/dipole.h"
 #include "shaders/shared/irradiance_block.h"
 #include "shaders/shared/path.h"
 
@@ -23,16 +22,13 @@ void main() {
     uint index = listIndex();
     if (index >= block.pointCount) return;
     index += block.firstPoint;
-    vec3 p = points[index].position.xyz;
     vec3 n = points[index].normal.xyz;
+    PathVertex start = PathVertex(points[index].position.xyz, n, n, block.label, kPathEnter, block.eta);
     uint id = uint(points[index].position.w);
     vec3 sum = sliceValue(block.firstRay) == 0u ? vec3(0.0) : sums[index].rgb;
     uint rayCount = sliceValue(block.rayCount);
     for (uint i = 0u; i < rayCount; ++i) {
-        uint ray = block.firstRay + i;
-        vec3 wi = sample_cosine_hemisphere(rng_lattice(id, ray, 0u, block.seed));
-        vec3 weight = vec3(fresnel_transmission(block.eta, wi.z));
-        vec3 radiance = followPath(p, n, weight, normalize(from_local(n, wi)), id, ray, block.seed, block.bounces);
+        vec3 radiance = pathRadiance(start, PathId(id, block.firstRay + i, block.seed), block.bounces);
         if (path_valid(radiance)) sum += radiance;
         else atomicAdd(dropped, 1u);
     }

@@ -19,16 +19,11 @@ layout(set = 1, binding = RESHADE_COUNT, r32f) uniform image2D countMap;
 #include "shaders/lib/path.glsl"
 #include "shaders/lib/pixels.glsl"
 
-vec3 pathRadiance(ivec2 pixel, uint sampleIndex) {
-    uint id = uint(pixel.y) * geometry.width + uint(pixel.x);
-    uint label = uint(texelFetch(frontPatchMap, pixel, 0).w);
+PathVertex cameraVertex(ivec2 pixel) {
     vec3 p = frontPosition(pixel);
     vec3 wo = normalize(-p);
     vec3 n = shading_normal(texelFetch(frontNormalMap, pixel, 0).xyz, wo);
-    vec3 weight;
-    vec3 wi = path_scatter(shading[label], true, to_local(n, wo), rng_lattice(id, sampleIndex, 0u, block.seed), weight);
-    if (wi.z <= 0.0) return vec3(0.0);
-    return followPath(p, n, weight, normalize(from_local(n, wi)), id, sampleIndex, block.seed, block.bounces);
+    return PathVertex(p, n, wo, uint(texelFetch(frontPatchMap, pixel, 0).w), kPathPrimary, 1.0);
 }
 
 void main() {
@@ -37,8 +32,10 @@ void main() {
     ivec2 pixel = unpackPixel(pixels[block.firstPixel + index]);
     vec4 sum = sliceValue(block.firstSample) == 0u ? vec4(0.0) : imageLoad(accumulationMap, pixel);
     uint sampleCount = sliceValue(block.sampleCount);
+    uint id = uint(pixel.y) * geometry.width + uint(pixel.x);
+    PathVertex start = cameraVertex(pixel);
     for (uint i = 0u; i < sampleCount; ++i) {
-        vec3 radiance = pathRadiance(pixel, block.firstSample + i);
+        vec3 radiance = pathRadiance(start, PathId(id, block.firstSample + i, block.seed), block.bounces);
         if (path_valid(radiance)) {
             float l = luminance(radiance);
             sum += vec4(radiance, l * l);

@@ -5,13 +5,18 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <limits>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <random>
 
 #include "core/brdf.h"
 #include "core/depth_layers.h"
+#include "core/environment_sampler.h"
+#include "core/luminance.h"
 #include "core/pipeline.h"
 #include "core/render/march_rays.h"
 #include "core/render/renderer.h"
@@ -42,6 +47,7 @@ struct Bench {
     }
     void march();
     void reshade();
+    void quality();
     void translucency();
     void analyse();
 
@@ -51,6 +57,7 @@ struct Bench {
     }
     [[nodiscard]] std::vector<Ray> cosineRays(std::size_t count) const;
     [[nodiscard]] core::Scene withEdit(const core::Material& material) const;
+    [[nodiscard]] core::ImageRgb rendered(Renderer& renderer, double seconds) const;
     [[nodiscard]] double renderSeconds(Renderer& renderer, bool firstPictureOnly, double budgetSeconds) const;
 };
 
@@ -187,6 +194,94 @@ void Bench::reshade() {
     add("reshade", "first_picture_seconds", renderSeconds(renderer, true, kFrameSeconds), "s");
 }
 
+/// What `renderer` shows after `seconds`.
+core::ImageRgb Bench::rendered(Renderer& renderer, double seconds) const {
+    device.waitIdle();
+    const auto start = Clock::now();
+    bool worked = true;
+    while (worked && secondsSince(start) < seconds) {
+        gpu::CommandEncoder encoder = device.createCommandEncoder({.label = "benchmark"});
+        worked = renderer.record(encoder, kFrameSeconds);
+        device.queue().submit(encoder.finish());
+        device.waitIdle();
+        context.checkpoint("Benchmark: quality", renderer.progress().fraction);
+    }
+    return readResult(device, renderer);
+}
+
+/// The environment with a sun of 2 degrees behind the camera, high and to the left, as bright as everything else.
+std::shared_ptr<const core::DirectionalMap> withSun(const core::DirectionalMap& environment) {
+    auto map = std::make_shared<core::DirectionalMap>(environment);
+    const int width = map->radiance.width();
+    const int height = map->radiance.height();
+    const core::Vector3f towards = core::Vector3f(-0.5f, -0.7f, -0.5f).normalized();
+    std::vector<std::size_t> texels;
+    float solidAngle = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const core::Vector2f center(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+            if (core::DirectionalMap::directionFromTexel(center, width, height).dot(towards) < std::cos(0.0175f))
+                continue;
+            texels.push_back(map->radiance.index(x, y));
+            solidAngle += core::DirectionalMap::texelSolidAngle(y, width, height);
+        }
+    const core::Vector3f total = map->mean() * (4 * std::numbers::pi_v<float>);
+    for (const std::size_t i : texels) map->radiance[i] += total / solidAngle;
+    return map;
+}
+
+void Bench::quality() {
+    constexpr int kReferenceSamples = 256;
+    if (!analysis->environment || analysis->environment->empty())
+        throw core::Error(core::ErrorKind::Input,
+                          "There is no environment, so the quality of its sampling has no meaning.");
+    core::Material material = core::defaultMaterial(*core::findBrdf("ggx"));
+    material.values[0] = 0.35f;
+    core::Scene edited = withEdit(material);
+    edited.render.filter = false;
+    std::vector<std::size_t> pixels;
+    for (std::size_t i = 0; i < scene.photo->labels.size(); ++i) {
+        const core::Segment* segment = edited.findSegment(scene.photo->labels[i]);
+        if (segment != nullptr && segment->edit && analysis->front->depth[i] > 0) pixels.push_back(i);
+    }
+    const std::pair<const char*, std::shared_ptr<const core::DirectionalMap>> lights[] = {
+        {"photo", analysis->environment}, {"sun", withSun(*analysis->environment)}};
+    for (const auto& [light, environment] : lights) {
+        auto lit = std::make_shared<core::Analysis>(*analysis);
+        lit->environment = environment;
+        core::Scene reference = edited;
+        reference.render.seed += 1000;
+        reference.render.samples = kReferenceSamples;
+        const core::ImageRgb truth = renderImage(device, reference, lit, context);
+        double mean = 0;
+        for (const std::size_t i : pixels) mean += static_cast<double>(core::luminance(truth[i]));
+        mean /= static_cast<double>(pixels.size());
+        for (const auto& [sampling, method] :
+             {std::pair{core::LightSampling::BrdfOnly, "brdf"}, {core::LightSampling::Both, "both"}}) {
+            Renderer renderer(device, sampling);
+            core::Scene timed = edited;
+            timed.render.samples = 1 << 20;
+            renderer.setScene(timed, lit);
+            (void)rendered(renderer, 1);  // learns what slices cost
+            for (const double seconds : {0.1, 0.3, 1.0, 3.0}) {
+                timed.render.seed += 1;
+                renderer.setScene(timed, lit);
+                const core::ImageRgb image = rendered(renderer, seconds);
+                double squares = 0;
+                for (const std::size_t i : pixels) {
+                    const auto error = static_cast<double>(core::luminance(image[i]) - core::luminance(truth[i]));
+                    squares += error * error;
+                }
+                char name[64];
+                std::snprintf(name, sizeof(name), "rms_error.%s.%s.%.1fs", light, method, seconds);
+                add("quality", name, std::sqrt(squares / static_cast<double>(pixels.size())) / mean, "1");
+                std::snprintf(name, sizeof(name), "samples.%s.%s.%.1fs", light, method, seconds);
+                add("quality", name, renderer.progress().samples, "1");
+            }
+        }
+    }
+}
+
 void Bench::translucency() {
     core::Material material = core::defaultMaterial(*core::findBrdf("none"));
     material.translucency = core::Translucency();
@@ -233,7 +328,7 @@ void Bench::analyse() {
 }  // namespace
 
 const std::vector<std::string>& benchmarkNames() {
-    static const std::vector<std::string> names = {"march", "reshade", "translucency", "analyse"};
+    static const std::vector<std::string> names = {"march", "reshade", "quality", "translucency", "analyse"};
     return names;
 }
 
@@ -255,6 +350,7 @@ std::vector<BenchResult> runBenchmarks(const std::vector<std::string>& names, gp
     Bench bench{std::move(device), scene, analysis, context, {}};
     if (wanted("march")) bench.march();
     if (wanted("reshade")) bench.reshade();
+    if (wanted("quality")) bench.quality();
     if (wanted("translucency")) bench.translucency();
     if (wanted("analyse")) bench.analyse();
     return bench.results;

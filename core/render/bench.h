@@ -20,7 +20,7 @@ struct BenchResult {
     std::string unit;
 };
 
-/// The benchmarks there are, in the order they run: march, reshade, translucency, analyse.
+/// The benchmarks there are, in the order they run: march, reshade, quality, translucency, analyse.
 [[nodiscard]] const std::vector<std::string>& benchmarkNames();
 
 /// Runs the named benchmarks (all of them when `names` is empty) on the device and returns their metrics (DESIGN 5).

@@ -41,7 +41,8 @@ gpu::BindGroupLayout makeGeometryLayout(const gpu::Device& device) {
                        {GEOMETRY_BACK_COLOR, SampledTexture},
                        {GEOMETRY_FRONT_NORMAL, SampledTexture},
                        {GEOMETRY_BACK_NORMAL, SampledTexture},
-                       {GEOMETRY_ENVIRONMENT, SampledTexture}});
+                       {GEOMETRY_ENVIRONMENT, SampledTexture},
+                       {GEOMETRY_ENVIRONMENT_TABLE, ReadOnlyStorageBuffer}});
 }
 
 }  // namespace render

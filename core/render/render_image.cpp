@@ -4,6 +4,15 @@
 
 namespace render {
 
+core::ImageRgb readResult(const gpu::Device& device, const Renderer& renderer) {
+    const gpu::Texture result = renderer.result();
+    core::ImageRgb image(static_cast<int>(result.width()), static_cast<int>(result.height()));
+    const std::vector<float> texels = gpu::readTexture<float>(device, result);
+    for (std::size_t i = 0; i < image.size(); ++i)
+        image[i] = core::Vector3f(texels[4 * i], texels[4 * i + 1], texels[4 * i + 2]);
+    return image;
+}
+
 core::ImageRgb renderImage(gpu::Device device, const core::Scene& scene,
                            const std::shared_ptr<const core::Analysis>& analysis, const core::StepContext& context) {
     // Long enough to keep the device busy between submissions, short enough to be cancelled at once.
@@ -19,12 +28,7 @@ core::ImageRgb renderImage(gpu::Device device, const core::Scene& scene,
         context.checkpoint("Rendering", renderer.progress().fraction);
         if (!worked) break;
     }
-    const gpu::Texture result = renderer.result();
-    core::ImageRgb image(static_cast<int>(result.width()), static_cast<int>(result.height()));
-    const std::vector<float> texels = gpu::readTexture<float>(device, result);
-    for (std::size_t i = 0; i < image.size(); ++i)
-        image[i] = core::Vector3f(texels[4 * i], texels[4 * i + 1], texels[4 * i + 2]);
-    return image;
+    return readResult(device, renderer);
 }
 
 }  // namespace render

@@ -45,8 +45,9 @@ std::uint32_t positive(int value) { return static_cast<std::uint32_t>(std::max(v
 }  // namespace
 
 struct Renderer::Impl {
-    explicit Impl(gpu::Device d)
-        : device(std::move(d)),
+    Impl(gpu::Device d, core::LightSampling sampling)
+        : lightSampling(sampling),
+          device(std::move(d)),
           geometry(device),
           reshade(device, geometry.layout()),
           translucency(device, geometry.layout()),
@@ -67,6 +68,7 @@ struct Renderer::Impl {
         std::uint64_t value = 0;
     };
 
+    core::LightSampling lightSampling;
     gpu::Device device;
     SceneGeometry geometry;
     ReshadePass reshade;
@@ -228,7 +230,7 @@ void Renderer::Impl::upload() {
         layersStale = false;
     }
     if (environmentStale) {
-        geometry.setEnvironment(analysis->environment ? *analysis->environment : core::DirectionalMap());
+        geometry.setEnvironment(analysis->environment ? *analysis->environment : core::DirectionalMap(), lightSampling);
         environmentStale = false;
     }
     if (shadingStale) {
@@ -580,7 +582,8 @@ bool Renderer::Impl::record(gpu::CommandEncoder& encoder, double budgetSeconds) 
 
 // ---- Renderer -------------------------------------------------------------------------------------------------------
 
-Renderer::Renderer(gpu::Device device) : impl_(std::make_unique<Impl>(std::move(device))) {}
+Renderer::Renderer(gpu::Device device, core::LightSampling lightSampling)
+    : impl_(std::make_unique<Impl>(std::move(device), lightSampling)) {}
 Renderer::~Renderer() = default;
 
 void Renderer::setScene(const core::Scene& scene, std::shared_ptr<const core::Analysis> analysis) {

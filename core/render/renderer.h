@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/analysis.h"
+#include "core/environment_sampler.h"
 #include "core/scene.h"
 #include "core/step_context.h"
 #include "gpu/command_encoder.h"
@@ -21,7 +22,8 @@ namespace render {
 /// submits to a device of its own. One thread. The same seed and scene give the same pixels on any schedule of slices.
 class Renderer {
   public:
-    explicit Renderer(gpu::Device device);
+    /// `lightSampling` changes the noise of a picture, not what it tends to.
+    explicit Renderer(gpu::Device device, core::LightSampling lightSampling = core::LightSampling::Both);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -61,6 +63,9 @@ class Renderer {
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+/// The edited photograph so far, once `renderer` has recorded; waits for the device.
+[[nodiscard]] core::ImageRgb readResult(const gpu::Device& device, const Renderer& renderer);
 
 /// Renders to the end on `device` and returns the edited photograph.
 [[nodiscard]] core::ImageRgb renderImage(gpu::Device device, const core::Scene& scene,

@@ -6,7 +6,6 @@
 #include "core/render/kernels.h"
 #include "gpu/adapter.h"
 #include "kernels/build_pyramid.h"
-#include "shaders/shared/geometry_block.h"
 
 namespace render {
 namespace {
@@ -115,7 +114,8 @@ void SceneGeometry::setLayers(const core::DepthLayers& layers, const core::Image
     group_ = {};
 }
 
-void SceneGeometry::setEnvironment(const core::DirectionalMap& environment) {
+void SceneGeometry::setEnvironment(const core::DirectionalMap& environment, core::LightSampling lightSampling) {
+    core::EnvironmentSampler sampler;
     if (environment.empty()) {
         environment_ = upload("environment", 2, 1, std::vector<float>(8, 0.0f));
     } else {
@@ -126,20 +126,32 @@ void SceneGeometry::setEnvironment(const core::DirectionalMap& environment) {
                              "The environment map (" + std::to_string(width) + "x" + std::to_string(height) +
                                  ") is too large for the device \"" + device_.adapterInfo().name + "\": at most " +
                                  std::to_string(device_.limits().maxTextureDimension2D) + " texels on a side.");
-        environment_ = upload("environment", width, height, texelsOf(environment.radiance));
+        std::vector<float> texels = texelsOf(environment.radiance);
+        if (lightSampling == core::LightSampling::Both) sampler = core::EnvironmentSampler(environment);
+        for (std::size_t i = 0; i < environment.radiance.size(); ++i)
+            texels[4 * i + 3] = sampler.empty() ? 0.0f : sampler.density()[i];
+        environment_ = upload("environment", width, height, texels);
     }
+    environmentTable_ = makeBuffer(device_, "environment table", gpu::BufferUsage::Storage,
+                                   std::vector<float>(sampler.table().begin(), sampler.table().end()));
+    environmentBlock_ = {};
+    environmentBlock_.environmentWidth = environment_.width();
+    environmentBlock_.environmentHeight = environment_.height();
+    environmentBlock_.tableColumns = static_cast<std::uint32_t>(sampler.columns());
+    environmentBlock_.tableRows = static_cast<std::uint32_t>(sampler.rows());
+    environmentBlock_.tableCell = static_cast<std::uint32_t>(sampler.cellSize());
+    environmentBlock_.meanLuminance = sampler.meanLuminance();
+    environmentBlock_.environmentSampled = sampler.empty() ? 0 : 1;
     group_ = {};
 }
 
 const gpu::BindGroup& SceneGeometry::bindGroup() {
     if (group_) return group_;
-    kernel::GeometryBlock block{};
+    kernel::GeometryBlock block = environmentBlock_;
     block.camera = {camera_.fx, camera_.fy, camera_.cx, camera_.cy};
     block.width = width_;
     block.height = height_;
     block.levelCount = static_cast<std::uint32_t>(levels_.size());
-    block.environmentWidth = environment_.width();
-    block.environmentHeight = environment_.height();
     device_.queue().writeBuffer(block_, 0, &block, sizeof(block));
     group_ = device_.createBindGroup(
         {.label = "geometry",
@@ -152,7 +164,8 @@ const gpu::BindGroup& SceneGeometry::bindGroup() {
                      {.binding = GEOMETRY_BACK_COLOR, .textureView = backColor_.createView()},
                      {.binding = GEOMETRY_FRONT_NORMAL, .textureView = frontNormal_.createView()},
                      {.binding = GEOMETRY_BACK_NORMAL, .textureView = backNormal_.createView()},
-                     {.binding = GEOMETRY_ENVIRONMENT, .textureView = environment_.createView()}}});
+                     {.binding = GEOMETRY_ENVIRONMENT, .textureView = environment_.createView()},
+                     {.binding = GEOMETRY_ENVIRONMENT_TABLE, .buffer = environmentTable_}}});
     return group_;
 }
 

@@ -7,11 +7,13 @@
 #include "core/analysis.h"
 #include "core/depth_layers.h"
 #include "core/directional_map.h"
+#include "core/environment_sampler.h"
 #include "core/image.h"
 #include "gpu/command_encoder.h"
 #include "gpu/device.h"
 #include "gpu/texture.h"
 #include "shaders/shared/build_pyramid_block.h"
+#include "shaders/shared/geometry_block.h"
 
 namespace render {
 
@@ -35,8 +37,9 @@ class SceneGeometry {
     /// Uploads a new picture. `markOf` says what the kernels see as a label (an index into their material table).
     void setLayers(const core::DepthLayers& layers, const core::ImageRgb& photo, const core::Surface& front,
                    const core::Surface& back, const std::function<float(std::uint16_t)>& markOf);
-    /// Uploads the light; an empty map is black.
-    void setEnvironment(const core::DirectionalMap& environment);
+    /// Uploads the light and what paths need to sample it; an empty map is black.
+    void setEnvironment(const core::DirectionalMap& environment,
+                        core::LightSampling lightSampling = core::LightSampling::Both);
 
     /// Builds the pyramid if the layers are new; before the first kernel that marches.
     void record(const gpu::CommandEncoder& encoder);
@@ -62,6 +65,8 @@ class SceneGeometry {
     std::vector<PyramidLevel> levels_;
     gpu::Texture frontPatch_, backPatch_, frontColor_, backColor_, frontNormal_, backNormal_, environment_;
     gpu::Buffer pyramid_;
+    gpu::Buffer environmentTable_;
+    kernel::GeometryBlock environmentBlock_;  ///< what it says of the environment
     gpu::Buffer block_;
     core::Camera camera_;
     gpu::BindGroup group_;

@@ -7,35 +7,93 @@
 #include "shaders/shared/path.h"
 #include "shaders/shared/rng.h"
 
+// A surface point on a path.
+struct PathVertex {
+    vec3 p;      // [m]
+    vec3 n;      // shading normal, dot(n, wo) > 0
+    vec3 wo;
+    uint label;
+    uint role;   // shaders/shared/path.h
+    float eta;   // of the boundary, for kPathEnter
+};
+
+// Where its random numbers come from.
+struct PathId {
+    uint pixel;
+    uint sampleIndex;
+    uint seed;
+};
+
 // Distance a ray's origin is lifted off the surface, core::marchBias.
 float marchBias(float z) { return z / (geometry.camera.x + geometry.camera.y); }
 
-// Radiance that arrives at (p, n) from `direction`, times `throughput`; the path goes on up to `bounces` surfaces.
-vec3 followPath(vec3 p, vec3 n, vec3 throughput, vec3 direction, uint pixel, uint sampleIndex, uint seed, uint bounces) {
-    vec3 radiance = vec3(0.0);
-    for (uint b = 1u;; ++b) {
-        if (max(throughput.x, max(throughput.y, throughput.z)) == 0.0) return radiance;
-        vec3 origin = p + n * marchBias(p.z);
-        MarchHit hit = march(origin, direction);
-        if (!hit.found) return radiance + throughput * environmentRadiance(direction);
+// Where the path goes on from surface b, and the factor on what arrives from there. light: rgb = the environment in that
+// direction, w < 0 = not looked up.
+vec3 leave(PathVertex v, PathId id, uint b, out vec3 direction, out vec4 light) {
+    vec3 wo = to_local(v.n, v.wo);
+    vec2 u = b == 0u ? rng_lattice(id.pixel, id.sampleIndex, 0u, id.seed)
+                     : rng_vec2(id.pixel, id.sampleIndex, 2u * b, id.seed);
+    vec3 weight;
+    vec3 wi = path_scatter(shading[v.label], v.role, v.eta, wo, u, weight);
+    direction = normalize(from_local(v.n, wi));
+    light = vec4(0.0, 0.0, 0.0, -1.0);
+    if (geometry.environmentSampled == 0u) return weight;
 
+    vec3 w = rng_light(id.pixel, id.sampleIndex, b, id.seed);
+    vec4 found = sampleEnvironment(w.xy);
+    vec3 towards = to_local(v.n, found.xyz);
+    vec4 seen = environmentLight(found.xyz);
+    light = environmentLight(direction);
+    PathCandidate own = PathCandidate(weight, 0.0, light.w, luminance(light.rgb) + geometry.meanLuminance);
+    if (wi.z > 0.0) own.pdf = path_pdf(shading[v.label], v.role, wo, wi);
+    PathCandidate bright = PathCandidate(vec3(0.0), 0.0, 0.0, luminance(seen.rgb) + geometry.meanLuminance);
+    if (towards.z > 0.0 && found.w > 0.0) {
+        bright.weight = path_value(shading[v.label], v.role, v.eta, wo, towards) / found.w;
+        bright.pdf = found.w;
+        bright.otherPdf = path_pdf(shading[v.label], v.role, wo, towards);
+    }
+    uint chosen;
+    weight = path_choose(own, bright, w.z, chosen);
+    if (chosen == 1u) {
+        direction = found.xyz;
+        light = seen;
+    }
+    light.w = 1.0;
+    return weight;
+}
+
+// Radiance that leaves `v` towards v.wo along one path of up to `bounces` surfaces.
+vec3 pathRadiance(PathVertex v, PathId id, uint bounces) {
+    vec3 radiance = vec3(0.0);
+    vec3 throughput = vec3(1.0);
+    for (uint b = 0u; b < bounces; ++b) {
+        vec3 direction;
+        vec4 light;
+        throughput *= leave(v, id, b, direction, light);
+        if (max(throughput.x, max(throughput.y, throughput.z)) == 0.0) break;
+        vec3 origin = v.p + v.n * marchBias(v.p.z);
+        MarchHit hit = march(origin, direction);
+        if (!hit.found) {
+            if (light.w < 0.0) light.rgb = environmentRadiance(direction);
+            radiance += throughput * light.rgb;
+            break;
+        }
         vec3 color = hit.back ? texelFetch(backColorMap, hit.pixel, 0).rgb : texelFetch(frontColorMap, hit.pixel, 0).rgb;
         vec3 normal = hit.back ? texelFetch(backNormalMap, hit.pixel, 0).xyz : texelFetch(frontNormalMap, hit.pixel, 0).xyz;
-        uint label = uint(texelFetch(frontPatchMap, hit.pixel, 0).w);
-        vec4 blend = shading[label].blend;
-        if (blend.w == 0.0 || b >= bounces || dot(normal, normal) == 0.0) return radiance + throughput * color;
+        v.label = uint(texelFetch(frontPatchMap, hit.pixel, 0).w);
+        vec4 blend = shading[v.label].blend;
+        if (blend.w == 0.0 || b + 1u >= bounces || dot(normal, normal) == 0.0) {
+            radiance += throughput * color;
+            break;
+        }
         radiance += throughput * color * blend.y;
         throughput *= blend.x;
-        p = origin + direction * hit.distance;
-        vec3 wo = -direction;
-        n = shading_normal(normal, wo);
-
-        vec3 weight;
-        vec3 wi = path_scatter(shading[label], false, to_local(n, wo), rng_vec2(pixel, sampleIndex, 2u * b, seed), weight);
-        if (wi.z <= 0.0) return radiance;
-        throughput *= weight;
-        direction = normalize(from_local(n, wi));
+        v.p = origin + direction * hit.distance;
+        v.wo = -direction;
+        v.n = shading_normal(normal, v.wo);
+        v.role = kPathLater;
     }
+    return radiance;
 }
 
 #endif

@@ -13,7 +13,9 @@
 #define GEOMETRY_BACK_COLOR 5    // radiance
 #define GEOMETRY_FRONT_NORMAL 6  // unit, outward
 #define GEOMETRY_BACK_NORMAL 7   // unit, outward
-#define GEOMETRY_ENVIRONMENT 8   // radiance, latitude-longitude (core/directional_map.h)
+#define GEOMETRY_ENVIRONMENT \
+    8  // radiance, latitude-longitude (core/directional_map.h); a = density of its sampling [1/sr]
+#define GEOMETRY_ENVIRONMENT_TABLE 9  // float: core::EnvironmentSampler::table()
 
 KERNEL_BEGIN
 
@@ -24,11 +26,15 @@ struct GeometryBlock {
     uint levelCount;         // pyramid levels above the pixels; the last one is a single cell
     uint environmentWidth;   // [texel]
     uint environmentHeight;  // [texel]
+    uint tableColumns;       // cells of the environment's table
+    uint tableRows;
+    uint tableCell;           // texels along a cell's side
+    float meanLuminance;      // of the environment
+    uint environmentSampled;  // 1: paths sample the environment too
     uint pad0;
     uint pad1;
-    uint pad2;
 };
-KERNEL_BLOCK(GeometryBlock, 48)
+KERNEL_BLOCK(GeometryBlock, 64)
 
 // Range of an empty cell: overlaps nothing.
 const float kEmptyRangeMin = 3.0e38f;

@@ -5,6 +5,7 @@
 #define PATINA_PATH_H
 
 #include "shaders/brdf/brdf.h"
+#include "shaders/shared/dipole.h"
 #include "shaders/shared/sampling.h"
 
 KERNEL_BEGIN
@@ -18,21 +19,92 @@ struct SegmentShading {
 };
 KERNEL_BLOCK(SegmentShading, 128)
 
-/// Samples where a path goes on from a surface, in its shading frame. `primary`: the surface the camera sees, whose
-/// translucency is added elsewhere; at later surfaces a translucent body is a Lambert one of the same albedo, chosen
-/// with probability blend.z. Returns wi (wi.z <= 0: absorbed) and the factor on what arrives from there.
-KERNEL_FN vec3 path_scatter(SegmentShading s, bool primary, vec3 wo, vec2 u, KERNEL_OUT(vec3) weight) {
-    float p = primary ? 0.0f : s.blend.z;
-    if (u.x < p) {
-        weight = rgb(s.diffuse) / p;
-        return sample_cosine_hemisphere(vec2(u.x / p, u.y));
-    }
-    vec2 v = u;
-    if (p > 0.0f) v.x = min((u.x - p) / (1.0f - p), 0.99999994f);
-    vec3 wi = brdf_sample(s.brdf, wo, v);
+/// What a path does at a surface.
+const uint kPathPrimary = 0u;  // the surface the camera sees, whose translucency is added elsewhere
+const uint kPathLater = 1u;    // a surface met on the way: a translucent body is a Lambert one of the same albedo
+const uint kPathEnter = 2u;    // light that enters a translucent body: cosine times Fresnel transmission
+
+/// Density of path_scatter at `wi` [1/sr]; what it lacks to an integral of one is absorbed. Directions are in the
+/// shading frame.
+KERNEL_FN float path_pdf(SegmentShading s, uint role, vec3 wo, vec3 wi) {
+    if (role == kPathEnter) return max(wi.z, 0.0f) * kInvPi;
+    float p = role == kPathLater ? s.blend.z : 0.0f;
+    float pdf = 0.0f;
+    if (p < 1.0f) pdf = (1.0f - p) * brdf_pdf(s.brdf, wo, wi);
+    return pdf + p * max(wi.z, 0.0f) * kInvPi;
+}
+
+/// Factor on the radiance from `wi` per solid angle, cosine included [1/sr]. `eta`: the boundary's relative index, for
+/// kPathEnter.
+KERNEL_FN vec3 path_value(SegmentShading s, uint role, float eta, vec3 wo, vec3 wi) {
+    if (wi.z <= 0.0f) return vec3(0.0f);
+    if (role == kPathEnter) return vec3(fresnel_transmission(eta, wi.z) * wi.z * kInvPi);
+    vec3 f = brdf_eval(s.brdf, wo, wi);
+    if (role == kPathLater && s.blend.z > 0.0f) f += rgb(s.diffuse) * kInvPi;
+    return f * wi.z;
+}
+
+/// Samples where a path goes on from a surface, by the surface's own lobes. Returns wi (wi.z <= 0: absorbed) and the
+/// factor on what arrives from there, path_value / path_pdf.
+KERNEL_FN vec3 path_scatter(SegmentShading s, uint role, float eta, vec3 wo, vec2 u, KERNEL_OUT(vec3) weight) {
     weight = vec3(0.0f);
-    if (wi.z > 0.0f) weight = brdf_weight(s.brdf, wo, wi) / (1.0f - p);
+    if (role == kPathEnter) {
+        vec3 entering = sample_cosine_hemisphere(u);
+        weight = vec3(fresnel_transmission(eta, entering.z));
+        return entering;
+    }
+    float p = role == kPathLater ? s.blend.z : 0.0f;
+    vec2 v = u;
+    vec3 wi;
+    if (u.x < p) {
+        wi = sample_cosine_hemisphere(vec2(u.x / p, u.y));
+    } else {
+        if (p > 0.0f) v.x = min((u.x - p) / (1.0f - p), 0.99999994f);
+        wi = brdf_sample(s.brdf, wo, v);
+    }
+    if (wi.z <= 0.0f) return wi;
+    if (p <= 0.0f)
+        weight = brdf_weight(s.brdf, wo, wi);
+    else if (p >= 1.0f)
+        weight = rgb(s.diffuse);
+    else
+        weight = path_value(s, role, eta, wo, wi) / path_pdf(s, role, wo, wi);
     return wi;
+}
+
+/// A direction a path may go on in: by the surface's own sampling, or by the environment's.
+struct PathCandidate {
+    vec3 weight;          // path_value over the density of the candidate's own sampling
+    float pdf;            // that density [1/sr]
+    float otherPdf;       // density of the other sampling at this direction [1/sr]
+    float expectedLight;  // luminance that may come from there
+};
+
+/// The surface's own candidate keeps at least this chance: what it meets in the scene may be brighter than expected,
+/// and what the environment's candidate expects may be hidden.
+const float kLeastSurfaceChance = 0.25f;
+
+/// The balance heuristic counts the surface's candidate as this many: with one, lobes narrower than the lights get
+/// noisier.
+const float kSurfaceCandidates = 2.0f;
+
+/// Chooses one of two candidates by what it may be expected to contribute, and returns the factor on what arrives from
+/// it: the balance heuristic [VG95] for the sum over both, of which one is estimated. Zero weight: the path ends.
+KERNEL_FN vec3 path_choose(PathCandidate surface, PathCandidate light, float u, KERNEL_OUT(uint) chosen) {
+    vec3 a = vec3(0.0f);
+    vec3 b = vec3(0.0f);
+    if (surface.pdf > 0.0f)
+        a = surface.weight * (kSurfaceCandidates * surface.pdf / (kSurfaceCandidates * surface.pdf + surface.otherPdf));
+    if (light.pdf > 0.0f) b = light.weight * (light.pdf / (light.pdf + kSurfaceCandidates * light.otherPdf));
+    float expectedA = luminance(a) * surface.expectedLight;
+    float expectedB = luminance(b) * light.expectedLight;
+    chosen = 0u;
+    if (expectedB <= 0.0f) return a;
+    float chance = expectedA / (expectedA + expectedB);
+    if (expectedA > 0.0f) chance = max(chance, kLeastSurfaceChance);
+    if (u < chance) return a / chance;
+    chosen = 1u;
+    return b / (1.0f - chance);
 }
 
 /// True for a finite, non-negative colour; anything else is dropped and counted.

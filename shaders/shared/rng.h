@@ -54,6 +54,15 @@ KERNEL_FN vec2 rng_lattice(uint pixel, uint sampleIndex, uint dimension, uint se
     return vec2(rng_to_float(h.x + sampleIndex * 3242174889u), rng_to_float(h.y + sampleIndex * 2447445414u));
 }
 
+/// Numbers for the light sampled at surface b of a path: xy its direction, z which candidate is taken. Those of the
+/// first surface step through a lattice of their own.
+KERNEL_FN vec3 rng_light(uint pixel, uint sampleIndex, uint b, uint seed) {
+    uvec4 h = rng_hash(uvec4(pixel, b == 0u ? 0xffffffffu : sampleIndex, 0x80000000u + b, seed));
+    uint step = b == 0u ? sampleIndex : 0u;
+    return vec3(rng_to_float(h.x + step * 3242174889u), rng_to_float(h.y + step * 2447445414u),
+                rng_to_float(h.z + step * 2654435769u));
+}
+
 /// Seed of a separate sequence (a segment's surface samples), unrelated to that of other streams and of the picture.
 KERNEL_FN uint rng_stream(uint seed, uint stream) { return rng_hash(uvec4(seed, stream, 0x5bd1e995u, 0x9e3779b9u)).x; }
 

@@ -56,12 +56,14 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
                  {MEMBER(MarchBlock, rayCount), MEMBER(MarchBlock, method), MEMBER(MarchBlock, stepSize),
                   MEMBER(MarchBlock, maxDistance)},
                  sizeof(kernel::MarchBlock));
-    expectLayout(march_rays_spv, "GeometryBlock",
-                 {MEMBER(GeometryBlock, camera), MEMBER(GeometryBlock, width), MEMBER(GeometryBlock, height),
-                  MEMBER(GeometryBlock, levelCount), MEMBER(GeometryBlock, environmentWidth),
-                  MEMBER(GeometryBlock, environmentHeight), MEMBER(GeometryBlock, pad0), MEMBER(GeometryBlock, pad1),
-                  MEMBER(GeometryBlock, pad2)},
-                 sizeof(kernel::GeometryBlock));
+    expectLayout(
+        march_rays_spv, "GeometryBlock",
+        {MEMBER(GeometryBlock, camera), MEMBER(GeometryBlock, width), MEMBER(GeometryBlock, height),
+         MEMBER(GeometryBlock, levelCount), MEMBER(GeometryBlock, environmentWidth),
+         MEMBER(GeometryBlock, environmentHeight), MEMBER(GeometryBlock, tableColumns),
+         MEMBER(GeometryBlock, tableRows), MEMBER(GeometryBlock, tableCell), MEMBER(GeometryBlock, meanLuminance),
+         MEMBER(GeometryBlock, environmentSampled), MEMBER(GeometryBlock, pad0), MEMBER(GeometryBlock, pad1)},
+        sizeof(kernel::GeometryBlock));
     expectLayout(reshade_spv, "ReshadeBlock",
                  {MEMBER(ReshadeBlock, firstPixel), MEMBER(ReshadeBlock, pixelCount), MEMBER(ReshadeBlock, firstSample),
                   MEMBER(ReshadeBlock, sampleCount), MEMBER(ReshadeBlock, seed), MEMBER(ReshadeBlock, bounces),

@@ -75,9 +75,9 @@ TEST(SegmentShading, TranslucentBodyIsALambertOneForOtherSurfaces) {
     EXPECT_NEAR(shading.diffuse.x, diffuseReflectance(*m.translucency).x(), 1e-6);
     kernel::vec3 weight;
     const kernel::vec3 up(0, 0, 1);
-    EXPECT_LE(kernel::path_scatter(shading, true, up, kernel::vec2(0.5f, 0.5f), weight).z, 0)
+    EXPECT_LE(kernel::path_scatter(shading, kernel::kPathPrimary, 1, up, kernel::vec2(0.5f, 0.5f), weight).z, 0)
         << "the camera sees its translucent light, computed elsewhere, and no reflection";
-    EXPECT_GT(kernel::path_scatter(shading, false, up, kernel::vec2(0.5f, 0.5f), weight).z, 0);
+    EXPECT_GT(kernel::path_scatter(shading, kernel::kPathLater, 1, up, kernel::vec2(0.5f, 0.5f), weight).z, 0);
     EXPECT_EQ(weight.x, shading.diffuse.x);
 }
 
