@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/parallel.h"
 
@@ -12,7 +13,28 @@ namespace {
 
 constexpr const char* kName = "Surface";
 constexpr float kMinCosine = 0.02f;
-constexpr float kNothing = 1e9f;  ///< inverse depth [1/m] that is on no plane
+constexpr float kContourJump = 6;  ///< step over an occluding contour over the one before it
+constexpr float kNothing = 1e9f;   ///< inverse depth [1/m] that is on no plane
+
+/// Slope at the last pixel before an occluding contour, from the steps to its first three neighbours inside. A smooth
+/// surface ends there like sqrt(d) of the distance d to the contour, which the first two steps give away: their ratio
+/// is 0.41 at the contour and 1 far from it. The third must follow, else there is no such contour.
+std::optional<float> contourSlope(float first, float second, float third) {
+    constexpr float kMinDistance = 0.02f;  // [px]: the slope is infinite on the contour
+    constexpr float kAgreement = 0.05f;
+    constexpr float kStraight = 0.95f;
+    const float ratio = second / first;
+    if (!(ratio > 0) || !(ratio < kStraight)) return std::nullopt;
+    float low = kMinDistance;
+    float high = 100;
+    const auto step = [](float d) { return 1 / (std::sqrt(d + 1) + std::sqrt(d)); };  // sqrt(d+1) − sqrt(d)
+    for (int i = 0; i < 16; ++i) {
+        const float d = std::sqrt(low * high);
+        (step(d + 1) < ratio * step(d) ? low : high) = d;
+    }
+    if (std::abs(third - first * step(low + 2) / step(low)) > kAgreement * std::abs(first)) return std::nullopt;
+    return first * 0.5f * (1 + std::sqrt(1 + 1 / low));
+}
 
 /// Fit of one pixel's plane. Plain arithmetic on arrays, the same on every device.
 struct NormalFit {
@@ -73,6 +95,22 @@ struct NormalFit {
         return 0.5f * (after - before);
     }
 
+    /// Slope along (dx, dy) where the segment, or what of it is in sight, ends beside the pixel; nothing elsewhere.
+    [[nodiscard]] std::optional<float> slopeAtContour(int x, int y, int dx, int dy, std::uint16_t label,
+                                                      float w) const {
+        for (const int inside : {-1, 1}) {
+            const float outer = inverseDepth(x - inside * dx, y - inside * dy, label);
+            const float one = inverseDepth(x + inside * dx, y + inside * dy, label);
+            const float two = inverseDepth(x + 2 * inside * dx, y + 2 * inside * dy, label);
+            const float three = inverseDepth(x + 3 * inside * dx, y + 3 * inside * dy, label);
+            if (one <= 0 || two <= 0 || three <= 0 || one <= w) continue;
+            if (outer > 0 && std::abs(w - outer) < kContourJump * (one - w)) continue;
+            const auto slope = contourSlope(one - w, two - one, three - two);
+            if (slope) return static_cast<float>(inside) * *slope;
+        }
+        return std::nullopt;
+    }
+
     /// Normal of the fitted plane towards +z, not normalised: N with N·P = 1 on the plane.
     [[nodiscard]] Vector3f fit(int x, int y) const {
         const std::uint16_t label = labels(x, y);
@@ -119,6 +157,13 @@ struct NormalFit {
             gu = (cvv * cuw - cuv * cvw) / determinant;
             gv = (cuu * cvw - cuv * cuw) / determinant;
             offset = std::clamp((sw - gu * su - gv * sv) / s, -0.5f * w, w);
+        }
+        if (relativeNoise <= 0) {
+            const auto su = slopeAtContour(x, y, 1, 0, label, w);
+            const auto sv = slopeAtContour(x, y, 0, 1, label, w);
+            if (su || sv) offset = 0;
+            gu = su.value_or(gu);
+            gv = sv.value_or(gv);
         }
         const float u = static_cast<float>(x) + 0.5f - camera.cx;
         const float v = static_cast<float>(y) + 0.5f - camera.cy;

@@ -147,9 +147,9 @@ TEST(Geometry, AreasOfASphereAddUpToItsVisibleCap) {
             inner += surface.area[i];
     EXPECT_NEAR(inner, std::numbers::pi * radius * radius, 0.01 * std::numbers::pi * radius * radius);
     // From distance 1 the cap up to the tangent cone is seen: its height is R·(1 − R/distance). A seventh of it lies in
-    // the outermost ring of pixels, whose centres say too little about it.
+    // the outermost ring of pixels.
     const double cap = 2 * std::numbers::pi * radius * radius * (1 - radius);
-    EXPECT_NEAR(totalArea(surface), cap, 0.1 * cap);
+    EXPECT_NEAR(totalArea(surface), cap, 0.02 * cap);
 }
 
 TEST(Geometry, PositionsProjectToTheirPixels) {
