@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/steps/back_side.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <optional>
 
@@ -16,6 +19,7 @@ namespace core::steps {
 namespace {
 
 constexpr const char* kName = "Back side";
+constexpr float kInventing = 0.7f;            ///< part of the step that inventing takes
 constexpr float kUnlabelledThickness = 0.1f;  ///< of the distance
 constexpr std::size_t kMinMirrorPoints = 16;
 constexpr float kMaxMirrorError = 0.6f;
@@ -73,7 +77,21 @@ Candidate flatFaces(FlatFaces solid) {
     return result;
 }
 
-Candidate invent(const SegmentPixels& segment, BackSideMethod method, const BackSideParams& params) {
+/// How far the step is, for work inside one segment, which cannot tell.
+struct Reporter {
+    const StepContext& context;
+    std::atomic<int>& done;
+    int count;
+
+    [[nodiscard]] float progress() const {
+        return kInventing * static_cast<float>(done.load(std::memory_order_relaxed)) / static_cast<float>(count);
+    }
+    void checkpoint() const { context.checkpoint(kName, progress()); }
+};
+
+Candidate invent(const SegmentPixels& segment, BackSideMethod method, const BackSideParams& params,
+                 const Reporter& reporter) {
+    reporter.checkpoint();
     Candidate result{method, {}, 0, {}};
     if (method == BackSideMethod::Offset) return result;
     if (segment.supports[segment.label]) {
@@ -81,7 +99,8 @@ Candidate invent(const SegmentPixels& segment, BackSideMethod method, const Back
     } else if (segment.pixels.size() < kMinMirrorPoints) {
         result.failure = "It has too few pixels with depth to tell its shape.";
     } else if (method == BackSideMethod::SpannedMirror) {
-        SpannedMirror mirror = mirrorAtSpannedSurface(segment, params.planeShift);
+        SpannedMirror mirror =
+            mirrorAtSpannedSurface(segment, params.planeShift, kName, reporter.progress(), reporter.context);
         result.error = mirror.error;
         if (mirror.outline > 0)
             result.samples = std::move(mirror.samples);
@@ -97,15 +116,16 @@ Candidate invent(const SegmentPixels& segment, BackSideMethod method, const Back
 
 /// The back with the lowest penalty of the two methods that close at the outline; a mirror plane when neither can be
 /// made.
-Candidate chooseAutomatically(const SegmentPixels& segment, const BackSideParams& params) {
-    Candidate best = invent(segment, BackSideMethod::SpannedMirror, params);
+Candidate chooseAutomatically(const SegmentPixels& segment, const BackSideParams& params, const Reporter& reporter) {
+    Candidate best = invent(segment, BackSideMethod::SpannedMirror, params, reporter);
     if (!best.samples) {
         for (const BackSideMethod method : {BackSideMethod::PcaMirror, BackSideMethod::ParallelMirror}) {
-            Candidate other = invent(segment, method, params);
+            Candidate other = invent(segment, method, params, reporter);
             if (other.samples && (!best.samples || other.error < best.error)) best = std::move(other);
         }
         return best;
     }
+    reporter.checkpoint();
     // Opposite assumptions on how the front ends at the outline: where one holds, the other fails.
     FlatFaces solid = continueFlatFaces(segment);
     best.error = std::max(best.error, solid.outline);
@@ -170,21 +190,26 @@ BackLayer inventBackSide(const Camera& camera, const LabelImage& labels, const S
     for (std::size_t label = 1; label < pixelsOf.size(); ++label)
         if (!pixelsOf[label].empty()) present.push_back(label);
     result.segments.resize(present.size());
+    std::atomic<int> done{0};
+    const Reporter reporter{context, done, static_cast<int>(present.size())};
     const auto inventOne = [&](int index) {
         const auto label = static_cast<std::uint16_t>(present[static_cast<std::size_t>(index)]);
         SegmentPixels segment{camera, labels, front, supports, label, std::move(pixelsOf[label]), {}};
         for (const Pixel& pixel : segment.pixels) segment.box.add(pixel);
         const auto found = std::ranges::find(segments, label, &Segment::label);
         const BackSideParams params = found == segments.end() ? BackSideParams{} : found->backSide;
-        const Candidate candidate = params.method == BackSideMethod::Automatic ? chooseAutomatically(segment, params)
-                                                                               : invent(segment, params.method, params);
+        const Candidate candidate = params.method == BackSideMethod::Automatic
+                                        ? chooseAutomatically(segment, params, reporter)
+                                        : invent(segment, params.method, params, reporter);
+        reporter.checkpoint();
         const auto support = supports[label] ? std::nullopt : fitSupportPlane(segment);
         writeBack(segment, candidate, params, support, back, mirroredNormals);
         result.segments[static_cast<std::size_t>(index)] = {
             label, candidate.samples ? candidate.method : BackSideMethod::Offset, candidate.failure, candidate.error,
             support.has_value()};
+        done.fetch_add(1, std::memory_order_relaxed);
     };
-    parallelFor(context, kName, static_cast<int>(present.size()), inventOne, 0.0f, 0.7f);
+    tbb::parallel_for(0, static_cast<int>(present.size()), inventOne);
 
     if (userDepth != nullptr && userDepth->sameSize(front.depth)) {
         for (int y = 0; y < height; ++y) {
@@ -200,7 +225,8 @@ BackLayer inventBackSide(const Camera& camera, const LabelImage& labels, const S
         }
     }
 
-    back.normal = computeNormals(camera, back.depth, labels, Side::Back, relativeNoise, kName, context, 0.7f, 1.0f);
+    back.normal =
+        computeNormals(camera, back.depth, labels, Side::Back, relativeNoise, kName, context, kInventing, 1.0f);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const Vector3f n = mirroredNormals(x, y).normalized();

@@ -108,9 +108,9 @@ float cellCentre(const NoiseCurve& curve, std::size_t cell) {
     return curve.first + static_cast<float>(cell) / curve.cellsPerUnit;
 }
 
-/// Whether depth changes in steps of about `quantum` (relative) where it changes: the rows of an exact floor have one
-/// value each too, but follow each other smoothly.
-bool hasStairs(const ImageF& w, int step, float quantum) {
+/// Whether depth changes in steps of about `quantum` where it changes: the rows of an exact floor have one value each
+/// too, but follow each other smoothly. `same`: relative difference of values that count as equal.
+bool hasStairs(const ImageF& w, int step, bool enlarged, const NoiseCurve& quantum, float same) {
     std::vector<float> bends;
     const int stride = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(w.size()) / 50000)));
     for (int y = step; y + step < w.height(); y += stride) {
@@ -118,19 +118,21 @@ bool hasStairs(const ImageF& w, int step, float quantum) {
             for (const auto& [before, after] :
                  {std::array{w(x - step, y), w(x + step, y)}, std::array{w(x, y - step), w(x, y + step)}}) {
                 const float here = w(x, y);
-                if (here <= 0 || before <= 0 || after <= 0 || (before == here && after == here)) continue;
-                bends.push_back(std::abs(before - 2 * here + after) / here);
+                if (here <= 0 || before <= 0 || after <= 0) continue;
+                if (std::abs(before - here) <= same * here && std::abs(after - here) <= same * here) continue;
+                bends.push_back(std::abs(before - 2 * here + after) / quantum.at(here));
             }
         }
     }
-    return !bends.empty() && quantile(bends, 0.5) > 0.2f * quantum;
+    // Splines that enlarge a map bend by a sixth of a step where it begins.
+    return !bends.empty() && quantile(bends, 0.5) > (enlarged ? 0.1f : 0.2f);
 }
 
 /// Distance between neighbouring stored values over inverse depth. In an enlarged map these are the values that occur
 /// often, since interpolation adds others in between. Zero when nearly every pixel has a value of its own, and when the
 /// values are so far apart that they are separate surfaces.
-NoiseCurve quantisation(const ImageF& w, int base, const Range& range) {
-    const bool enlarged = base > 1;
+NoiseCurve quantisation(const ImageF& w, float pixelsPerSample, int base, const Range& range) {
+    const bool enlarged = pixelsPerSample > 1;
     const float same = enlarged ? 1e-5f : 0;  // relative; rounding of floats
     constexpr float kLargest = 0.02f;         // relative
     NoiseCurve curve = curveOver(range);
@@ -158,10 +160,11 @@ NoiseCurve quantisation(const ImageF& w, int base, const Range& range) {
         all.push_back((stored[i] - stored[i - 1]) / stored[i]);
     }
     const float relative = quantile(all, 0.5);
-    if (relative > kLargest || !hasStairs(w, base, relative)) return curve;
+    if (relative > kLargest) return curve;
+    NoiseCurve quantum = curve;
     for (std::size_t cell = 0; cell < gaps.size(); ++cell)
-        curve.sigma[cell] = gaps[cell].size() < 3 ? relative * cellCentre(curve, cell) : quantile(gaps[cell], 0.5);
-    return curve;
+        quantum.sigma[cell] = gaps[cell].size() < 3 ? relative * cellCentre(curve, cell) : quantile(gaps[cell], 0.5);
+    return hasStairs(w, base, enlarged, quantum, same) ? quantum : curve;
 }
 
 NoiseCurve measureNoise(const ImageF& w, const LabelImage& labels, int step, Differences order, const Range& range,
@@ -256,7 +259,7 @@ DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labe
     for (int k = 0; k < kScales; ++k)
         scales[static_cast<std::size_t>(k)] =
             measureNoise(inverseDepth, labels, base << k, Differences::Fourth, range, context);
-    const NoiseCurve quanta = quantisation(inverseDepth, base, range);
+    const NoiseCurve quanta = quantisation(inverseDepth, pixelsPerSample, base, range);
 
     noise.deviation = curveOver(range);
     std::array<float, kScales> total{};
@@ -277,11 +280,13 @@ DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labe
         for (std::size_t k = 0; k < kScales; ++k) total[k] += std::min(scales[k].sigma[cell], plateau);
         float rounding = quanta.sigma[cell] / std::sqrt(12.0f);
         if (rounding < kExact * cellCentre(noise.deviation, cell)) rounding = 0;
-        level += plateau;
-        quantised += rounding > plateau ? rounding : 0;
-        noise.deviation.sigma[cell] = std::max(plateau, rounding);
+        // Terraces wider than the spacing show only where they end, and then as more than they are.
+        const bool terraced = scales[0].sigma[cell] < 0.5f * rounding;
+        level += terraced ? std::min(plateau, rounding) : plateau;
+        quantised += terraced || rounding > plateau ? rounding : 0;
+        noise.deviation.sigma[cell] = terraced ? rounding : std::max(plateau, rounding);
     }
-    noise.quantised = quantised > level;
+    noise.quantised = quantised > 0 && quantised >= level;
     noise.correlationLength = static_cast<float>(base);
     for (std::size_t k = 0; k < kScales && total[k] < 0.7f * level; ++k)
         noise.correlationLength = static_cast<float>(base << std::min<std::size_t>(k + 1, kScales - 1));

@@ -8,6 +8,9 @@
 
 #include "core/parallel.h"
 #include "core/steps/distant_pixels.h"
+#include "core/steps/flying_pixels.h"
+#include "core/steps/membrane.h"
+#include "core/steps/segment_pixels.h"
 
 namespace core::steps {
 namespace {
@@ -149,7 +152,7 @@ ImageF filterAutomatically(ImageF w, const Image<std::uint32_t>& color, const La
     constexpr float kMinTilt = 0.02f;   // [rad], about a degree
     constexpr float kAllowance = 4.0f;  // range in σ of what is left: keeps most of what is noise
     // An enlarged map is smooth between its own pixels already.
-    const int passes = base > 1 ? 3 : kMaxPasses;
+    const int passes = base > 1 && !noise.quantised ? 3 : kMaxPasses;
     for (int k = 0; k < passes; ++k) {
         const int step = base << k;
         // Uncorrelated noise halves with every pass at least; correlated noise only once taps are farther apart.
@@ -223,7 +226,6 @@ void fillSmallHoles(ImageF& depth, const LabelImage& labels, int radius) {
     radius = std::min(radius, 64);
     const ImageF original = depth;
     Image<std::uint8_t> visited(depth.width(), depth.height(), 0);
-    constexpr std::array<std::array<int, 2>, 4> kNeighbors{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
     // A hole of which every pixel is within `radius` of valid depth cannot be longer than its outline allows, so the
     // flood stops early only in area: a thin scratch across the segment is a small hole too.
     const auto nearValid = [&](int x, int y) {
@@ -288,74 +290,40 @@ void fillSmallHoles(ImageF& depth, const LabelImage& labels, int radius) {
 }
 
 void completeSegments(ImageF& depth, const LabelImage& labels, const StepContext& context) {
-    struct Box {
-        int x0 = 1 << 30, y0 = 1 << 30, x1 = -1, y1 = -1;
-        bool known = false, missing = false;
+    struct Part {
+        PixelBox box;
+        double sum = 0;  ///< of inverse depth
+        std::size_t known = 0, missing = 0;
     };
-    std::vector<Box> boxes(65536);
+    std::vector<Part> parts(65536);
     for (int y = 0; y < depth.height(); ++y) {
         for (int x = 0; x < depth.width(); ++x) {
-            Box& box = boxes[labels(x, y)];
-            box.x0 = std::min(box.x0, x), box.x1 = std::max(box.x1, x);
-            box.y0 = std::min(box.y0, y), box.y1 = std::max(box.y1, y);
-            (depth(x, y) > 0 ? box.known : box.missing) = true;
+            Part& part = parts[labels(x, y)];
+            part.box.add({x, y});
+            if (depth(x, y) > 0)
+                part.sum += 1.0 / static_cast<double>(depth(x, y)), ++part.known;
+            else
+                ++part.missing;
         }
     }
-
-    /// Inverse depth times weight, and weight.
-    using Level = Image<Eigen::Vector2d>;
-    for (std::size_t label = 1; label < boxes.size(); ++label) {
-        const Box& box = boxes[label];
-        if (!box.known || !box.missing) continue;
-        context.checkpoint(kName, 1.0f);
-        Level finest(box.x1 - box.x0 + 1, box.y1 - box.y0 + 1);
-        const auto inside = [&](int x, int y) {
-            return finest.contains(x, y) && labels(box.x0 + x, box.y0 + y) == label;
-        };
-        for (int y = 0; y < finest.height(); ++y)
-            for (int x = 0; x < finest.width(); ++x)
-                if (inside(x, y) && depth(box.x0 + x, box.y0 + y) > 0)
-                    finest(x, y) = {1.0 / static_cast<double>(depth(box.x0 + x, box.y0 + y)), 1.0};
-
-        // Pull: averages of what is known, over ever larger cells; push: what is unknown takes the next larger cell's.
-        std::vector<Level> levels{finest};
-        while (levels.back().width() > 1 || levels.back().height() > 1) {
-            const Level& fine = levels.back();
-            Level coarse((fine.width() + 1) / 2, (fine.height() + 1) / 2);
-            for (int y = 0; y < fine.height(); ++y)
-                for (int x = 0; x < fine.width(); ++x) coarse(x / 2, y / 2) += fine(x, y);
-            levels.push_back(std::move(coarse));
-        }
-        for (std::size_t l = levels.size() - 1; l-- > 0;) {
-            for (int y = 0; y < levels[l].height(); ++y) {
-                for (int x = 0; x < levels[l].width(); ++x) {
-                    Eigen::Vector2d& cell = levels[l](x, y);
-                    const Eigen::Vector2d& parent = levels[l + 1](x / 2, y / 2);
-                    if (cell.y() <= 0) cell = {parent.x() / parent.y(), 1.0};
-                }
+    for (std::size_t label = 1; label < parts.size(); ++label) {
+        const auto& [box, sum, known, missing] = parts[label];
+        if (known == 0 || missing == 0) continue;
+        const auto mean = static_cast<float>(sum / static_cast<double>(known));
+        Image<MembraneCell> cells(box.width(), box.height());
+        const auto depthAt = [&](int x, int y) -> float& { return depth(box.x0 + x, box.y0 + y); };
+        for (int y = 0; y < cells.height(); ++y) {
+            for (int x = 0; x < cells.width(); ++x) {
+                if (labels(box.x0 + x, box.y0 + y) != label) continue;
+                const float z = depthAt(x, y);
+                cells(x, y) = z > 0 ? MembraneCell{1 / z, MembraneCell::Kind::Fixed}
+                                    : MembraneCell{mean, MembraneCell::Kind::Free};
             }
         }
-
-        // Relax the filled pixels to a membrane over the known ones.
-        constexpr int kRounds = 200;
-        std::vector<std::array<int, 2>> missing;
-        for (int y = 0; y < finest.height(); ++y)
-            for (int x = 0; x < finest.width(); ++x)
-                if (inside(x, y) && finest(x, y).y() <= 0) missing.push_back({x, y});
-        Level& values = levels.front();
-        for (int round = 0; round < kRounds; ++round) {
-            for (const auto& [x, y] : missing) {
-                double sum = 0;
-                double count = 0;
-                for (const auto& [dx, dy] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-                    if (!inside(x + dx, y + dy)) continue;
-                    sum += values(x + dx, y + dy).x();
-                    count += 1;
-                }
-                if (count > 0) values(x, y).x() = sum / count;
-            }
-        }
-        for (const auto& [x, y] : missing) depth(box.x0 + x, box.y0 + y) = static_cast<float>(1.0 / values(x, y).x());
+        solveMembrane(cells, kName, 1.0f, context);
+        for (int y = 0; y < cells.height(); ++y)
+            for (int x = 0; x < cells.width(); ++x)
+                if (cells(x, y).kind == MembraneCell::Kind::Free) depthAt(x, y) = 1 / cells(x, y).value;
     }
 }
 
@@ -380,6 +348,9 @@ Step filterDepthStep() {
                             " values are zero or not finite, but at least one positive depth is needed. Load a depth "
                             "map that belongs to the photograph, or check its unit and kind.");
         const DepthNoise noise = estimateDepthNoise(inverseOf(depth), photo.labels, photo.depthStep, context);
+        const bool measured = noise.relative > 0 || photo.depthStep > 1;
+        if (board.scene->depthFilter.enabled && measured)
+            removeFlyingPixels(depth, photo.labels, photo.camera, context);
         result->depth = filterDepth(depth, photo.color, photo.labels, photo.camera, board.scene->depthFilter, noise,
                                     photo.depthStep, context);
         result->relativeNoise = noise.relative;

@@ -4,8 +4,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
+
+#include "core/steps/membrane.h"
 
 namespace core::steps {
 namespace {
@@ -17,69 +18,9 @@ constexpr float kTurningAway = 0.5f;
 constexpr float kToOutline = 0.81f;
 constexpr float kLargestStep = 20;  ///< [pixel widths] between those two: more is a discontinuity
 constexpr float kFarthest = 0.2f;   ///< back no farther than this part of the front's inverse depth
-constexpr float kOverRelaxation = 1.7f;
-constexpr int kCoarseSweeps = 100;
-constexpr int kSweeps = 12;
 
-enum class Kind : std::uint8_t { Outside, Free, Fixed };
-
-struct Cell {
-    float value = 0;
-    Kind kind = Kind::Outside;
-};
-
-/// Values of the free cells that satisfy Laplace's equation, without flow through the outside: coarse to fine, each
-/// level started from the coarser one.
-void solveMembrane(Image<Cell>& fine) {
-    const bool coarsest = fine.width() <= 8 || fine.height() <= 8;
-    if (!coarsest) {
-        Image<Cell> coarse((fine.width() + 1) / 2, (fine.height() + 1) / 2);
-        for (int y = 0; y < coarse.height(); ++y) {
-            for (int x = 0; x < coarse.width(); ++x) {
-                float sum = 0;
-                int fixed = 0, free = 0;
-                for (int k = 0; k < 4; ++k) {
-                    const int fx = 2 * x + (k & 1);
-                    const int fy = 2 * y + (k >> 1);
-                    if (!fine.contains(fx, fy)) continue;
-                    const Cell& cell = fine(fx, fy);
-                    if (cell.kind == Kind::Free) ++free;
-                    if (cell.kind != Kind::Fixed) continue;
-                    sum += cell.value;
-                    ++fixed;
-                }
-                if (fixed > 0)
-                    coarse(x, y) = {sum / static_cast<float>(fixed), Kind::Fixed};
-                else if (free > 0)
-                    coarse(x, y).kind = Kind::Free;
-            }
-        }
-        solveMembrane(coarse);
-        for (int y = 0; y < fine.height(); ++y)
-            for (int x = 0; x < fine.width(); ++x)
-                if (fine(x, y).kind == Kind::Free) fine(x, y).value = coarse(x / 2, y / 2).value;
-    }
-    for (int sweep = 0; sweep < (coarsest ? kCoarseSweeps : kSweeps); ++sweep) {
-        // Plain relaxation last: it removes the checkered remains of the over-relaxed sweeps.
-        const float factor = sweep + 2 < kSweeps ? kOverRelaxation : 1.0f;
-        for (int y = 0; y < fine.height(); ++y) {
-            for (int x = 0; x < fine.width(); ++x) {
-                Cell& cell = fine(x, y);
-                if (cell.kind != Kind::Free) continue;
-                float sum = 0;
-                int count = 0;
-                for (const Pixel& step : kNeighbors) {
-                    if (!fine.contains(x + step.x, y + step.y)) continue;
-                    const Cell& other = fine(x + step.x, y + step.y);
-                    if (other.kind == Kind::Outside) continue;
-                    sum += other.value;
-                    ++count;
-                }
-                if (count > 0) cell.value += factor * (sum / static_cast<float>(count) - cell.value);
-            }
-        }
-    }
-}
+using Cell = MembraneCell;
+using Kind = MembraneCell::Kind;
 
 /// Inverse depth of the outline beside an outline pixel.
 float outlineInverseDepth(const SegmentPixels& segment, Pixel pixel, Pixel step) {
@@ -132,7 +73,8 @@ Eigen::Vector3d fitPlane(const Image<Cell>& cells) {
 
 }  // namespace
 
-SpannedMirror mirrorAtSpannedSurface(const SegmentPixels& segment, float shift) {
+SpannedMirror mirrorAtSpannedSurface(const SegmentPixels& segment, float shift, const char* stepName, float progress,
+                                     const StepContext& context) {
     const PixelBox& box = segment.box;
     Image<Cell> cells(box.width(), box.height());
     std::size_t known = 0, unknown = 0;
@@ -163,7 +105,7 @@ SpannedMirror mirrorAtSpannedSurface(const SegmentPixels& segment, float shift) 
     for (int y = 0; y < cells.height(); ++y)
         for (int x = 0; x < cells.width(); ++x)
             if (cells(x, y).kind == Kind::Fixed) cells(x, y).value -= planeAt(x, y);
-    solveMembrane(cells);
+    solveMembrane(cells, stepName, progress, context);
 
     result.samples = BackSamples(box.width(), box.height());
     std::size_t behind = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/step_context.h"
 #include "core/steps/mirror_image.h"
 
 namespace core::steps {
@@ -18,7 +19,8 @@ struct SpannedMirror {
 };
 
 /// `shift` moves the surface away from the camera [m]. An outline of which nothing is known gives `outline` 0 and no
-/// samples.
-[[nodiscard]] SpannedMirror mirrorAtSpannedSurface(const SegmentPixels& segment, float shift);
+/// samples. Cancellable; reports `progress` of the step.
+[[nodiscard]] SpannedMirror mirrorAtSpannedSurface(const SegmentPixels& segment, float shift, const char* step,
+                                                   float progress, const StepContext& context);
 
 }  // namespace core::steps

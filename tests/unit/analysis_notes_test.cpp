@@ -41,6 +41,7 @@ TEST(AnalysisNotes, NoGlossySegment) {
 
 TEST(AnalysisNotes, GlossySegmentOfFivePixelsAndOneWithoutDepth) {
     core::Scene scene = test::stillLife(test::testCamera(80, 60)).scene();
+    scene.environment.height = 32;
     core::Photo photo = *scene.photo;
     for (int x = 0; x < 5; ++x) photo.labels(20 + x, 50) = 40;
     for (std::size_t i = 0; i < photo.labels.size(); ++i)

@@ -18,51 +18,69 @@ using core::Vector3f;
 using core::steps::BackLayer;
 using test::Vector3d;
 
-/// A convex solid given by a function that is convex and negative inside; crossings by bisection.
-struct Convex : test::Shape {
-    std::function<double(const Vector3d&)> inside;
-    Vector3d center;
-    explicit Convex(const Vector3d& c, std::function<double(const Vector3d&)> f) : inside(std::move(f)), center(c) {}
+using Interval = test::Shape::Interval;
+
+/// Half axes `half` along the columns of `axes`.
+struct Ellipsoid : test::Shape {
+    Vector3d center, half;
+    Eigen::Matrix3d axes;
+    Ellipsoid(const Vector3d& c, const Vector3d& h, const Eigen::Matrix3d& a) : center(c), half(h), axes(a) {}
 
     [[nodiscard]] std::optional<Interval> intersect(const Vector3d& o, const Vector3d& d) const override {
-        const auto value = [&](double t) { return inside(o + t * d - center); };
-        if ((center - o).cross(d).norm() > 0.35 * d.norm()) return std::nullopt;
-        const double middle = (center - o).dot(d) / d.squaredNorm();
-        double low = middle - 1, high = middle + 1;
-        for (int i = 0; i < 36; ++i) {
-            const double a = low + (high - low) / 3;
-            const double b = high - (high - low) / 3;
-            const bool nearer = value(a) < value(b);
-            (nearer ? high : low) = nearer ? b : a;
-        }
-        const double deepest = (low + high) / 2;
-        if (value(deepest) >= 0) return std::nullopt;
-        const auto crossing = [&](double in, double out) {
-            for (int i = 0; i < 40; ++i) {
-                const double t = (in + out) / 2;
-                (value(t) < 0 ? in : out) = t;
-            }
-            return (in + out) / 2;
-        };
-        const double enter = crossing(deepest, deepest - 2);
-        const double leave = crossing(deepest, deepest + 2);
-        return Interval{enter, leave, normal(o + enter * d - center), normal(o + leave * d - center)};
-    }
-
-  private:
-    [[nodiscard]] Vector3d normal(const Vector3d& p) const {
-        Vector3d gradient;
-        for (int k = 0; k < 3; ++k) {
-            const Vector3d step = 1e-6 * Vector3d::Unit(k);
-            gradient[k] = inside(p + step) - inside(p - step);
-        }
-        return gradient.normalized();
+        const auto unit = [&](const Vector3d& v) -> Vector3d { return (axes.transpose() * v).cwiseQuotient(half); };
+        auto hit = test::Sphere(Vector3d::Zero(), 1).intersect(unit(o - center), unit(d));
+        if (!hit) return hit;
+        for (Vector3d* normal : {&hit->enterNormal, &hit->leaveNormal})
+            *normal = (axes * normal->cwiseQuotient(half)).normalized();
+        return hit;
     }
 };
 
-double capsule(const Vector3d& p, const Vector3d& axis, double half, double radius) {
-    return (p - std::clamp(p.dot(axis), -half, half) * axis).norm() - radius;
+/// Solid of revolution about a unit `axis`: what is within `radius` of it, endless.
+std::optional<Interval> intersectTube(const Vector3d& o, const Vector3d& d, const Vector3d& axis, double radius) {
+    const Vector3d across = d - d.dot(axis) * axis;
+    if (across.norm() < 1e-12) return std::nullopt;
+    return test::Sphere(Vector3d::Zero(), radius).intersect(o - o.dot(axis) * axis, across);
 }
+
+/// Upright or lying cylinder with flat ends, `half` from the centre.
+struct Cylinder : test::Shape {
+    Vector3d center, axis;
+    double radius, half;
+    Cylinder(const Vector3d& c, const Vector3d& a, double r, double h) : center(c), axis(a), radius(r), half(h) {}
+
+    [[nodiscard]] std::optional<Interval> intersect(const Vector3d& o, const Vector3d& d) const override {
+        auto hit = intersectTube(o - center, d, axis, radius);
+        if (!hit) return hit;
+        const double slope = d.dot(axis);
+        const double start = (o - center).dot(axis);
+        const double sign = slope > 0 ? 1 : -1;
+        if (slope != 0 && (-sign * half - start) / slope > hit->enter)
+            hit->enter = (-sign * half - start) / slope, hit->enterNormal = -sign * axis;
+        if (slope != 0 && (sign * half - start) / slope < hit->leave)
+            hit->leave = (sign * half - start) / slope, hit->leaveNormal = sign * axis;
+        if (hit->enter >= hit->leave) return std::nullopt;
+        return hit;
+    }
+};
+
+/// A cylinder with half spheres for ends.
+struct Capsule : test::Shape {
+    Cylinder middle;
+    Capsule(const Vector3d& c, const Vector3d& axis, double radius, double half) : middle(c, axis, radius, half) {}
+
+    [[nodiscard]] std::optional<Interval> intersect(const Vector3d& o, const Vector3d& d) const override {
+        auto hit = middle.intersect(o, d);
+        for (const double end : {-middle.half, middle.half}) {
+            const auto other = test::Sphere(middle.center + end * middle.axis, middle.radius).intersect(o, d);
+            if (!other) continue;
+            if (!hit) hit = other;
+            if (other->enter < hit->enter) hit->enter = other->enter, hit->enterNormal = other->enterNormal;
+            if (other->leave > hit->leave) hit->leave = other->leave, hit->leaveNormal = other->leaveNormal;
+        }
+        return hit;
+    }
+};
 
 constexpr std::uint16_t kObject = 2;
 
@@ -155,16 +173,10 @@ TEST(BackSideShapes, SphereOnATableIsRounded) {
 TEST(BackSideShapes, EllipsoidIsRoundedWhicheverWayItLies) {
     for (const double angle : {0.0, 0.5, 1.1, 2.0}) {
         const Eigen::Matrix3d axes = test::rotation(angle, {0.3, 1, 0.2});
-        const Vector3d inverse(1 / 0.15, 1 / 0.08, 1 / 0.1);
         test::RayScene scene;
         scene.camera = test::testCamera(320, 240);
         scene.objects.push_back(
-            {kObject,
-             std::make_shared<Convex>(
-                 Vector3d(0.1, 0.05, 1),
-                 [=](const Vector3d& p) { return (inverse.asDiagonal() * (axes.transpose() * p)).norm() - 1; }),
-             {},
-             false});
+            {kObject, std::make_shared<Ellipsoid>(Vector3d(0.1, 0.05, 1), Vector3d(0.15, 0.08, 0.1), axes), {}, false});
         const Result result = invent(View(scene));
         EXPECT_EQ(result.info().used, BackSideMethod::SpannedMirror) << angle;
         EXPECT_LT(result.error(), 0.05f) << angle;
@@ -177,12 +189,7 @@ TEST(BackSideShapes, CapsuleAndThinRodAreAsDeepAsTheyAreWide) {
         const Vector3d axis = Vector3d(1, 0.6, 0.4).normalized();
         test::RayScene scene;
         scene.camera = test::testCamera(320, 240);
-        scene.objects.push_back(
-            {kObject,
-             std::make_shared<Convex>(Vector3d(0, 0, 1),
-                                      [axis, r = radius](const Vector3d& p) { return capsule(p, axis, 0.2, r); }),
-             {},
-             false});
+        scene.objects.push_back({kObject, std::make_shared<Capsule>(Vector3d(0, 0, 1), axis, radius, 0.2), {}, false});
         const Result result = invent(View(scene));
         EXPECT_EQ(result.info().used, BackSideMethod::SpannedMirror) << radius;
         EXPECT_LT(result.error(), tolerance) << radius;
@@ -202,12 +209,8 @@ TEST(BackSideShapes, BoxesOnATableAreContinuedAtRightAngles) {
 }
 
 TEST(BackSideShapes, NothingSinksThroughTheTableByAnyMethod) {
-    const Vector3d half(0.1, 0.08, 0.07);
     const test::RayScene scene =
-        kTable.with(std::make_shared<Convex>(kTable.top + half.y() * kTable.up, [=](const Vector3d& p) {
-            const double height = p.dot(kTable.up);
-            return std::max((p - height * kTable.up).norm() - 0.08, std::abs(height) - half.y());
-        }));
+        kTable.with(std::make_shared<Cylinder>(kTable.top + 0.08 * kTable.up, kTable.up, 0.08, 0.08));
     const View view(scene);
     for (const BackSideMethod method :
          {BackSideMethod::Automatic, BackSideMethod::Offset, BackSideMethod::ParallelMirror, BackSideMethod::PcaMirror,

@@ -14,6 +14,7 @@
 
 #include "core/io/image_io.h"
 #include "core/io/image_reader.h"
+#include "core/io/upsample_depth.h"
 #include "core/steps/filter_depth.h"
 #include "core/steps/surface.h"
 #include "tests/support/ray_scene.h"
@@ -123,6 +124,43 @@ TEST(DepthNoise, FilterHelpsOnAStillLife) {
     check("correlated noise", withInverseNoise(exact, correlatedNoise(480, 360, 2.5f), 0.001f), 0.7f);
     photo.depth = exact;
     EXPECT_EQ(analysedNormals(photo, true), analysedNormals(photo, false)) << "exact depth is left alone";
+}
+
+/// The still life with depth in steps of disparity, as telephones store it: from a map `factor` times smaller.
+core::Photo withEnlargedTerraces(int width, int height, float factor) {
+    core::Photo photo = test::stillLife(test::testCamera(width, height)).photograph();
+    ImageF map = test::stillLife(test::testCamera(static_cast<int>(std::lround(static_cast<float>(width) / factor)),
+                                                  static_cast<int>(std::lround(static_cast<float>(height) / factor))))
+                     .photograph()
+                     .depth;
+    constexpr float kStep = 0.006f;  // [1/m], 256 of them from 0.65 m to infinity
+    for (float& z : map.pixels())
+        if (z > 0) z = 1 / (kStep * std::round(1 / (kStep * z)));
+    photo.depth = core::upsampleDepth(map, width, height, &photo.color);
+    for (std::size_t i = 0; i < photo.labels.size(); ++i)
+        if (photo.labels[i] == 0) photo.depth[i] = 0;
+    photo.depthStep = factor;
+    return photo;
+}
+
+TEST(DepthNoise, TerracesOfAnEnlargedMapAreSmoothed) {
+    for (const float factor : {1.05f, 2.0f}) {
+        const core::Photo photo = withEnlargedTerraces(480, 360, factor);
+        const auto noise =
+            core::steps::estimateDepthNoise(core::steps::inverseOf(photo.depth), photo.labels, factor, {});
+        EXPECT_TRUE(noise.quantised) << factor;
+        // The floor's rows are level, so that rows between two steps look like steps of their own.
+        EXPECT_GT(noise.deviation.at(1), 0.4f * 0.006f / std::sqrt(12.0f)) << factor;
+        EXPECT_LT(noise.deviation.at(1), 1.1f * 0.006f / std::sqrt(12.0f)) << factor;
+        const ImageV3 truth = test::stillLife(test::testCamera(480, 360)).frontSurface().normal;
+        std::vector<bool> things(photo.depth.size());
+        for (std::size_t i = 0; i < things.size(); ++i) things[i] = photo.labels[i] > 1;
+        const float before = medianAngle(analysedNormals(photo, false), truth, things);
+        const float after = medianAngle(analysedNormals(photo, true), truth, things);
+        std::printf("still life, map enlarged by %.2f: normals %.2f deg before, %.2f after\n",
+                    static_cast<double>(factor), static_cast<double>(before), static_cast<double>(after));
+        EXPECT_LT(after, 0.5f * before) << factor;
+    }
 }
 
 TEST(DepthNoise, AreasOfANoisySquareAddUp) {

@@ -150,6 +150,7 @@ struct Deconvolution : testing::Test {
     /// the lamp, which they would hardly ever hit, by the density of its directions.
     [[nodiscard]] LobeObservations observe(float lamp, float level) const {
         const DirectionalMap truth = room(0);
+        const std::vector<LampPart> parts = lampParts();
         std::mt19937 random(9);
         std::uniform_real_distribution<float> uniform(0, 1);
         LobeObservations result{truth, kAlpha, view, 1};
@@ -162,14 +163,14 @@ struct Deconvolution : testing::Test {
         for (int y = 0; y < kHeight; ++y) {
             for (int x = 0; x < 2 * kHeight; ++x) {
                 Vector3f sum = Vector3f::Zero();
-                constexpr int kPixels = 60;
+                constexpr int kPixels = 20;
                 for (int k = 0; k < kPixels; ++k) {
                     const Vector3f mirrored = DirectionalMap::directionFromTexel(
                         {static_cast<float>(x) + uniform(random), static_cast<float>(y) + uniform(random)}, 2 * kHeight,
                         kHeight);
                     const Vector3f n = (mirrored - view).normalized();
                     sum += throughLobe(light, view, n, kAlpha, 16, random);
-                    if (lamp > 0) sum += lampThroughLobe(lamp, n);
+                    if (lamp > 0) sum += lampThroughLobe(lamp, parts, n);
                 }
                 Vector3f mean = sum / kPixels;
                 for (int c = 0; c < 3; ++c)
@@ -181,22 +182,35 @@ struct Deconvolution : testing::Test {
         }
         return result;
     }
-    /// Radiance × GGX density D(h) (n·h)/(4 (−v·h)) × solid angle, over the four texels of the lamp.
-    [[nodiscard]] Vector3f lampThroughLobe(float lamp, const Vector3f& n) const {
-        float sum = 0;
+    /// Directions over the four texels of the lamp, with their parts of its solid angle.
+    struct LampPart {
+        Vector3f direction, half;
+        float weight;  ///< solid angle / (4 (−v·h))
+    };
+    [[nodiscard]] std::vector<LampPart> lampParts() const {
+        std::vector<LampPart> parts;
         for (int y = 0; y < 8; ++y) {
             for (int x = 0; x < 8; ++x) {
                 const Vector3f d = DirectionalMap::directionFromTexel(
                     {90 + (static_cast<float>(x) + 0.5f) / 4, 28 + (static_cast<float>(y) + 0.5f) / 4}, 2 * kHeight,
                     kHeight);
                 const Vector3f h = (d - view).normalized();
-                const float cosine = n.dot(h);
-                if (cosine <= 0 || n.dot(d) <= 0) continue;
-                const float a2 = kAlpha * kAlpha;
-                const float base = cosine * cosine * (a2 - 1) + 1;
-                sum += a2 / (kPi * base * base) * cosine / (4 * -view.dot(h)) *
-                       DirectionalMap::texelSolidAngle(28 + y / 4, 2 * kHeight, kHeight) / 16;
+                parts.push_back(
+                    {d, h,
+                     DirectionalMap::texelSolidAngle(28 + y / 4, 2 * kHeight, kHeight) / 16 / (4 * -view.dot(h))});
             }
+        }
+        return parts;
+    }
+    /// Radiance × GGX density D(h) (n·h)/(4 (−v·h)) × solid angle, over the lamp.
+    [[nodiscard]] static Vector3f lampThroughLobe(float lamp, const std::vector<LampPart>& parts, const Vector3f& n) {
+        float sum = 0;
+        for (const LampPart& part : parts) {
+            const float cosine = n.dot(part.half);
+            if (cosine <= 0 || n.dot(part.direction) <= 0) continue;
+            const float a2 = kAlpha * kAlpha;
+            const float base = cosine * cosine * (a2 - 1) + 1;
+            sum += a2 / (kPi * base * base) * cosine * part.weight;
         }
         return Vector3f::Constant(lamp * sum);
     }

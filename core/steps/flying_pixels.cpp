@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/steps/flying_pixels.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/parallel.h"
+#include "core/steps/segment_pixels.h"
+#include "core/steps/supports.h"
+
+namespace core::steps {
+namespace {
+
+constexpr const char* kName = "Filter depth";
+constexpr int kReachParts = 60;         ///< the longer side over the reach of a ramp
+constexpr int kGrid = 4;                ///< samples of a window on each side of its centre
+constexpr float kRampPart = 0.6f;       ///< of the outline near by that is blurred where a ramp is
+constexpr int kFootParts = 8;           ///< the reach over the width of a ramp's foot
+constexpr float kLeastJump = 8;         ///< [pixel widths per pixel of the reach] to what lies behind: less is relief
+constexpr float kFlyingShare = 0.25f;   ///< of that jump: an outline pixel farther back than this may be flying
+constexpr float kRemovedShare = 0.12f;  ///< of that jump: what is farther back near a flying one goes with it
+constexpr float kCleanShare = 0.4f;     ///< of that jump: this much at the outline itself is a clean edge
+
+/// The two surfaces about one pixel of an outline.
+struct Surfaces {
+    float own = 0;     ///< depth of the segment near by [m]
+    float behind = 0;  ///< depth of what lies behind it [m]; not above `own` where there is nothing
+
+    [[nodiscard]] float share(float z) const { return (z - own) / (behind - own); }
+};
+
+enum class Edge : std::uint8_t {
+    None,     ///< no pixel of an outline
+    Clean,    ///< depth jumps at the outline
+    Flying,   ///< between the surfaces, by itself
+    Blurred,  ///< depth does not jump at the outline
+};
+
+class Outlines {
+  public:
+    Outlines(const ImageF& depth, const LabelImage& labels, const Camera& camera)
+        : depth_(depth),
+          labels_(labels),
+          footprint_(2 / (camera.fx + camera.fy)),
+          reach_(std::max({kGrid, depth.width() / kReachParts, depth.height() / kReachParts})) {}
+
+    [[nodiscard]] int reach() const { return reach_; }
+
+    [[nodiscard]] bool isOutline(int x, int y) const {
+        return std::ranges::any_of(kNeighbors, [&](Pixel step) {
+            return labels_.contains(x + step.x, y + step.y) && labels_(x + step.x, y + step.y) != labels_(x, y);
+        });
+    }
+
+    /// What an outline pixel is, and, unless it is clean, the surfaces about it.
+    [[nodiscard]] Edge classify(int x, int y, Surfaces& surfaces) const {
+        constexpr std::size_t kSamples = (2 * kGrid + 1) * (2 * kGrid + 1);
+        std::array<float, kSamples> own, others;
+        std::size_t ownCount = 0, otherCount = 0;
+        for (int j = -kGrid; j <= kGrid; ++j) {
+            for (int i = -kGrid; i <= kGrid; ++i) {
+                const int sx = x + i * reach_ / kGrid;
+                const int sy = y + j * reach_ / kGrid;
+                if (!depth_.contains(sx, sy) || depth_(sx, sy) <= 0) continue;
+                if (labels_(sx, sy) == labels_(x, y))
+                    own[ownCount++] = depth_(sx, sy);
+                else
+                    others[otherCount++] = depth_(sx, sy);
+            }
+        }
+        if (ownCount < 4 || otherCount < 4) return Edge::Clean;
+        surfaces = {quantile(own, ownCount, 0.08), quantile(others, otherCount, 0.6)};
+        const float z = depth_(x, y);
+        if (surfaces.behind - surfaces.own < kLeastJump * static_cast<float>(reach_) * footprint_ * z ||
+            surfaces.share(z) < kFlyingShare)
+            return Edge::Clean;
+        float beyond = z, inside = z;
+        for (const Pixel& step : kNeighbors) {
+            const int bx = x + 2 * step.x;
+            const int by = y + 2 * step.y;
+            if (!depth_.contains(bx, by) || depth_(bx, by) <= 0) continue;
+            if (labels_(bx, by) != labels_(x, y))
+                beyond = std::max(beyond, depth_(bx, by));
+            else
+                inside = std::min(inside, depth_(bx, by));
+        }
+        const float jump = surfaces.share(beyond) - surfaces.share(z);
+        const float fall = surfaces.share(z) - surfaces.share(inside);
+        if (jump < kCleanShare) return Edge::Blurred;
+        return fall > kFlyingShare && fall > 0.5f * jump ? Edge::Flying : Edge::Clean;
+    }
+
+  private:
+    template <std::size_t N>
+    static float quantile(std::array<float, N>& values, std::size_t count, double q) {
+        const auto rank = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(count - 1));
+        std::nth_element(values.begin(), rank, values.begin() + static_cast<std::ptrdiff_t>(count));
+        return *rank;
+    }
+
+    const ImageF& depth_;
+    const LabelImage& labels_;
+    float footprint_;  ///< width of a pixel at a distance of 1
+    int reach_;        ///< [px]
+};
+
+}  // namespace
+
+void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& camera, const StepContext& context) {
+    const std::vector<bool> supports = findSupports(labels);
+    const Outlines outlines(depth, labels, camera);
+    const int reach = outlines.reach();
+    Image<Edge> edges(depth.width(), depth.height(), Edge::None);
+    Image<Surfaces> surfaces(depth.width(), depth.height());
+    parallelFor(
+        context, kName, depth.height(),
+        [&](int y) {
+            for (int x = 0; x < depth.width(); ++x)
+                if (labels(x, y) != 0 && !supports[labels(x, y)] && depth(x, y) > 0 && outlines.isOutline(x, y))
+                    edges(x, y) = outlines.classify(x, y, surfaces(x, y));
+        },
+        0.0f, 0.0f);
+
+    const auto visit = [&](Pixel center, int radius, const auto& visitor) {
+        for (int y = std::max(center.y - radius, 0); y <= std::min(center.y + radius, depth.height() - 1); ++y)
+            for (int x = std::max(center.x - radius, 0); x <= std::min(center.x + radius, depth.width() - 1); ++x) {
+                const int dx = x - center.x;
+                const int dy = y - center.y;
+                if (dx * dx + dy * dy <= radius * radius && labels(x, y) == labels(center.x, center.y)) visitor(x, y);
+            }
+    };
+    // A ramp runs along the outline; the noise of a sensor makes some pixels of a clean one look alike.
+    const auto onRamp = [&](Pixel pixel) {
+        int blurred = 0, count = 0;
+        visit(pixel, reach, [&](int x, int y) {
+            if (edges(x, y) != Edge::None) ++count;
+            if (edges(x, y) == Edge::Blurred) ++blurred;
+        });
+        return static_cast<float>(blurred) > kRampPart * static_cast<float>(count);
+    };
+    const int foot = 1 + reach / kFootParts;
+    const ImageF measured = depth;
+    Image<std::uint8_t> ramp(depth.width(), depth.height(), 0);
+    for (int y = 0; y < depth.height(); ++y) {
+        context.checkpoint(kName, 0);
+        for (int x = 0; x < depth.width(); ++x) {
+            if (edges(x, y) == Edge::Flying) depth(x, y) = 0;
+            if (edges(x, y) != Edge::Blurred || !onRamp({x, y})) continue;
+            visit({x, y}, reach, [&, &between = surfaces(x, y)](int u, int v) {
+                if (between.share(measured(u, v)) > kRemovedShare) ramp(u, v) = 1;
+            });
+        }
+    }
+    // What remains of a ramp is less than can be told from relief: the foot goes with the rest.
+    for (int y = 0; y < depth.height(); ++y)
+        for (int x = 0; x < depth.width(); ++x)
+            if (ramp(x, y) == 1) visit({x, y}, foot, [&](int u, int v) { depth(u, v) = 0; });
+}
+
+}  // namespace core::steps

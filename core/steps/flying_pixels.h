@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/camera.h"
+#include "core/image.h"
+#include "core/step_context.h"
+
+namespace core::steps {
+
+/// Removes (sets to 0) measured depth along the outlines of segments that belongs to what lies behind them: flying
+/// pixels between the two surfaces, the ramp of a map whose edges are blurred, and the background that a generous
+/// outline takes in. A pixel of the outline is of that kind when it lies well on the way from the segment near by to
+/// what is behind, and depth does not jump where the outline is; where most of the outline near by is so, all that lies
+/// as far back there is removed.
+/// The rim of a round object does fall away too, but jumps to the background at its outline. Supports (tables, walls)
+/// and what is not labelled are left alone. `depth`: planar z [m], 0 = none.
+void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& camera, const StepContext& context);
+
+}  // namespace core::steps

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Depth along outlines that belongs to what lies behind: blurred maps, flying pixels, generous outlines.
+#include "core/steps/flying_pixels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/steps/filter_depth.h"
+#include "tests/support/ray_scene.h"
+#include "tests/support/sensor_noise.h"
+
+namespace {
+
+using core::ImageF;
+
+/// A sphere and a box well before a wall; the box's top is seen too.
+test::RayScene thingsBeforeAWall() {
+    test::RayScene scene;
+    scene.camera = test::testCamera(320, 240);
+    scene.objects.push_back(
+        {1, std::make_shared<test::Box>(test::Vector3d(0, 0, 2.1), test::Vector3d(5, 5, 0.1)), {}, false});
+    scene.objects.push_back({2, std::make_shared<test::Sphere>(test::Vector3d(-0.16, 0, 1), 0.13), {}, false});
+    scene.objects.push_back({3,
+                             std::make_shared<test::Box>(test::Vector3d(0.17, 0, 1), test::Vector3d(0.1, 0.12, 0.1),
+                                                         test::rotation(0.5, {0.5, 1, 0})),
+                             {},
+                             false});
+    return scene;
+}
+
+/// Mean of inverse depth over (2·radius + 1)²: what a matcher with such a window, or a scaled-down map, gives.
+ImageF blurred(const ImageF& depth, int radius) {
+    ImageF result(depth.width(), depth.height());
+    for (int y = 0; y < depth.height(); ++y) {
+        for (int x = 0; x < depth.width(); ++x) {
+            float sum = 0, count = 0;
+            for (int v = std::max(y - radius, 0); v <= std::min(y + radius, depth.height() - 1); ++v)
+                for (int u = std::max(x - radius, 0); u <= std::min(x + radius, depth.width() - 1); ++u)
+                    sum += 1 / depth(u, v), count += 1;
+            result(x, y) = count / sum;
+        }
+    }
+    return result;
+}
+
+/// Part of the things' pixels whose depth is off by more than `limit` [m].
+double wrongPart(const ImageF& depth, const ImageF& truth, const core::LabelImage& labels, float limit) {
+    int wrong = 0, count = 0;
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        if (labels[i] < 2) continue;
+        ++count;
+        if (!(std::abs(depth[i] - truth[i]) < limit)) ++wrong;
+    }
+    return static_cast<double>(wrong) / count;
+}
+
+double wrongPartAfterRemoval(ImageF depth, const ImageF& truth, const core::LabelImage& labels,
+                             const core::Camera& camera, float limit) {
+    core::steps::removeFlyingPixels(depth, labels, camera, {});
+    core::steps::completeSegments(depth, labels);
+    return wrongPart(depth, truth, labels, limit);
+}
+
+TEST(FlyingPixels, ExactOutlinesAreLeftAlone) {
+    const test::RayScene scene = thingsBeforeAWall();
+    const core::Photo photo = scene.photograph();
+    ImageF depth = photo.depth;
+    core::steps::removeFlyingPixels(depth, photo.labels, photo.camera, {});
+    EXPECT_EQ(depth, photo.depth);
+
+    const core::Photo still = test::stillLife(test::testCamera(320, 240)).photograph();
+    depth = still.depth;
+    core::steps::removeFlyingPixels(depth, still.labels, still.camera, {});
+    EXPECT_EQ(depth, still.depth);
+}
+
+TEST(FlyingPixels, RampsOfABlurredMapAreRemoved) {
+    const core::Photo photo = thingsBeforeAWall().photograph();
+    const ImageF blurry = blurred(photo.depth, 3);
+    constexpr float kLimit = 0.06f;
+    const double before = wrongPart(blurry, photo.depth, photo.labels, kLimit);
+    const double after = wrongPartAfterRemoval(blurry, photo.depth, photo.labels, photo.camera, kLimit);
+    std::printf("blurred by 7 pixels: %.1f %% wrong before, %.1f %% after\n", 100 * before, 100 * after);
+    ASSERT_GT(before, 0.08);
+    EXPECT_LT(after, 0.25 * before);
+}
+
+TEST(FlyingPixels, OfASensorAreRemoved) {
+    const core::Photo photo = thingsBeforeAWall().photograph();
+    const ImageF measured = test::withSensorNoise(photo.depth);
+    // Less than a third of the way to the wall is for the filter, which draws outliers back.
+    constexpr float kLimit = 0.35f;
+    const double before = wrongPart(measured, photo.depth, photo.labels, kLimit);
+    const double after = wrongPartAfterRemoval(measured, photo.depth, photo.labels, photo.camera, kLimit);
+    std::printf("sensor: %.2f %% wrong before, %.2f %% after\n", 100 * before, 100 * after);
+    ASSERT_GT(before, 0.005);
+    EXPECT_LT(after, 0.25 * before);
+}
+
+TEST(FlyingPixels, AGenerousOutlineTakesNoBackgroundIn) {
+    const core::Photo photo = thingsBeforeAWall().photograph();
+    core::LabelImage generous = photo.labels;
+    for (int y = 0; y < generous.height(); ++y)
+        for (int x = 0; x < generous.width(); ++x)
+            for (int dy = -3; dy <= 3; ++dy)
+                for (int dx = -3; dx <= 3; ++dx)
+                    if (generous.contains(x + dx, y + dy) && photo.labels(x + dx, y + dy) > 1)
+                        generous(x, y) = photo.labels(x + dx, y + dy);
+    ImageF depth = photo.depth;
+    core::steps::removeFlyingPixels(depth, generous, photo.camera, {});
+    core::steps::completeSegments(depth, generous);
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        if (generous[i] > 1) {
+            EXPECT_LT(depth[i], 1.3f) << "the wall is 2 m away";
+        }
+    }
+}
+
+}  // namespace
