@@ -146,8 +146,9 @@ void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& c
     for (int y = 0; y < depth.height(); ++y) {
         context.checkpoint(kName, 0);
         for (int x = 0; x < depth.width(); ++x) {
-            if (edges(x, y) == Edge::Flying) depth(x, y) = 0;
-            if (edges(x, y) != Edge::Blurred || !onRamp({x, y})) continue;
+            if (edges(x, y) != Edge::Flying && edges(x, y) != Edge::Blurred) continue;
+            depth(x, y) = 0;
+            if (edges(x, y) == Edge::Flying || !onRamp({x, y})) continue;
             visit({x, y}, reach, [&, &between = surfaces(x, y)](int u, int v) {
                 if (between.share(measured(u, v)) > kRemovedShare) ramp(u, v) = 1;
             });
