@@ -14,10 +14,6 @@ namespace {
 constexpr const char* kName = "Environment";
 constexpr float kUnreliableConfidence = 0.2f;
 
-}  // namespace
-
-namespace {
-
 /// Distant pixels: light seen directly.
 DirectionalMap distantLight(const Photo& photo, const Image<std::uint8_t>& distant, int mapHeight, Vector3f& mean,
                             const StepContext& context) {
