@@ -11,6 +11,7 @@
 #include "core/image_filter.h"
 #include "core/luminance.h"
 #include "core/parallel.h"
+#include "core/silhouette.h"
 #include "shaders/shared/rng.h"
 
 namespace core {
@@ -64,6 +65,12 @@ std::vector<kernel::SegmentShading> buildSegmentShading(const Scene& scene, cons
     std::vector<kernel::SegmentShading> result(count, untouched);
     for (const Segment& segment : scene.segments) result[segment.label] = shadingOf(segment, analysis);
     return result;
+}
+
+std::vector<std::uint8_t> editedLabels(std::span<const kernel::SegmentShading> shading) {
+    std::vector<std::uint8_t> edited(shading.size());
+    for (std::size_t label = 0; label < edited.size(); ++label) edited[label] = shading[label].diffuse.w != 0 ? 1 : 0;
+    return edited;
 }
 
 /// A surface point on a path.
@@ -290,6 +297,14 @@ ImageRgb ReferenceRenderer::composite(const ImageRgb& reshaded, const ImageRgb& 
         if (material.translucency) fresh += material.translucency->weight * translucent[i];
         result[i] = material.blendNew * fresh + material.blendOriginal * result[i];
     }
+    const std::vector<std::uint8_t> edited = editedLabels(shading_);
+    for (const Segment& segment : scene_.segments) {
+        if (!segment.edit) continue;
+        for (const SilhouettePixel& p :
+             findSilhouette(scene_.photo->color, layers_->labels, analysis_->front->depth, segment.label, edited))
+            result(p.x, p.y) =
+                p.coverage * result(p.sourceX, p.sourceY) + p.kept + segment.edit->blendOriginal * p.keptOriginal;
+    }
     return result;
 }
 
@@ -297,9 +312,7 @@ ImageRgb renderReference(const Scene& scene, const std::shared_ptr<const Analysi
                          const StepContext& context) {
     const ReferenceRenderer renderer(scene, analysis);
     const Accumulation sums = renderer.reshade(scene.render.samples, 0, context);
-    std::vector<std::uint8_t> edited(renderer.shading().size());
-    for (std::size_t label = 0; label < edited.size(); ++label)
-        edited[label] = renderer.shading()[label].diffuse.w != 0 ? 1 : 0;
+    const std::vector<std::uint8_t> edited = editedLabels(renderer.shading());
     const ImageRgb reshaded = scene.render.filter ? filterReshaded(sums, scene.photo->camera, *analysis->front,
                                                                    scene.photo->labels, edited, {}, context)
                                                   : meanRadiance(sums);

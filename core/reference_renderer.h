@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/analysis.h"
@@ -48,12 +49,16 @@ namespace core {
 // Translucent radiance before the outgoing Fresnel factor: B(p) = (1/π)(Ã/|S|) Σ_i Ê_i R_d(|p − s_i|²) with dipole_rd
 // of the dipole smoothedFor(samples); L_t = F_t(max(n·wo, 0)) · B with n = shading_normal(n, wo).
 //
-// Composite, edited segments only: blendNew · (reshaded + weight · L_t) + blendOriginal · photo. All other pixels are
-// the photograph's, bit for bit.
+// Composite, edited segments only: blendNew · (reshaded + weight · L_t) + blendOriginal · photo. Then the pixels that
+// show a segment in part, at its outline and up to two pixels outside (core/silhouette.h). All other pixels are the
+// photograph's, bit for bit.
 
 /// Shading of every label (index = label; label 0 and labels without a segment end paths). An edited segment uses its
 /// material; a glossy unedited one GGX of its estimated width and ρ; both let paths go on.
 [[nodiscard]] std::vector<kernel::SegmentShading> buildSegmentShading(const Scene& scene, const Analysis& analysis);
+
+/// 1 for every label whose segment is edited.
+[[nodiscard]] std::vector<std::uint8_t> editedLabels(std::span<const kernel::SegmentShading> shading);
 
 /// Specular colour of a segment when its material does not choose one: the user's ρ, the estimated one, or white.
 [[nodiscard]] Vector3f specularOf(const Segment& segment, const Analysis& analysis);

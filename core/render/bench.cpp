@@ -18,6 +18,7 @@
 #include "core/environment_sampler.h"
 #include "core/luminance.h"
 #include "core/pipeline.h"
+#include "core/render/bench_embree.h"
 #include "core/render/march_rays.h"
 #include "core/render/renderer.h"
 #include "core/render/scene_geometry.h"
@@ -130,7 +131,15 @@ void Bench::march() {
     add("march", "rays_per_second.constant", rate(fewRays, MarchMethod::ConstantSteps, steps), "1/s");
     add("march", "rays_per_second.pyramid", rate(rays, MarchMethod::Pyramid, steps), "1/s");
 
+    if (const auto embree = benchEmbree(*analysis->front, *analysis->back, scene.photo->labels, rays)) {
+        add("march", "build_seconds.embree", embree->buildSeconds, "s");
+        add("march", "rays_per_second.embree", embree->raysPerSecond, "1/s");
+        add("march", "hit_share.embree", embree->hitShare, "1");
+    }
+
     const std::vector<RayHit> hits = marcher.march(fewRays, MarchMethod::Pyramid);
+    const auto found = std::count_if(hits.begin(), hits.end(), [](const RayHit& hit) { return hit.found; });
+    add("march", "hit_share.pyramid", static_cast<double>(found) / kSlowRays, "1");
     std::size_t agreed = 0;
     for (std::size_t i = 0; i < fewRays.size(); ++i) {
         if (i % 1024 == 0) context.checkpoint("Benchmark: oracle", static_cast<float>(i) / kSlowRays);

@@ -10,6 +10,7 @@
 #include "core/render/kernels.h"
 #include "core/render/passes/composite_pass.h"
 #include "core/render/passes/reshade_pass.h"
+#include "core/render/passes/silhouette_pass.h"
 #include "core/render/scene_geometry.h"
 #include "core/render/segment_state.h"
 #include "core/render/slice_timer.h"
@@ -53,6 +54,7 @@ struct Renderer::Impl {
           translucency(device, geometry.layout()),
           filter(device, geometry.layout()),
           composite(device, geometry.layout()),
+          silhouette(device, geometry.layout()),
           timer(device) {
         paths.dropped = makeBuffer(device, "dropped samples", gpu::BufferUsage::Storage, std::vector<kernel::uint>{0});
         dropped->staging = device.createBuffer({.label = "dropped samples, read back",
@@ -75,6 +77,7 @@ struct Renderer::Impl {
     TranslucencyPass translucency;
     FilterPass filter;
     CompositePass composite;
+    SilhouettePass silhouette;
     SliceTimer timer;
     std::shared_ptr<DroppedReader> dropped = std::make_shared<DroppedReader>();
 
@@ -95,6 +98,7 @@ struct Renderer::Impl {
     void upload();
     void prepareTargets();
     void preparePixels(SegmentState& state);
+    void prepareSilhouette(SegmentState& state);
     void prepareTranslucency(SegmentState& state);
 
     bool record(gpu::CommandEncoder& encoder, double budgetSeconds);
@@ -163,6 +167,8 @@ void Renderer::Impl::setScene(const core::Scene& next, std::shared_ptr<const cor
     if (kept.size() != segments.size()) resultStale = true;
     for (std::size_t i = 0; !resultStale && i < kept.size(); ++i) resultStale = kept[i].label != segments[i].label;
     segments = std::move(kept);
+    if (!resultStale) return;
+    for (SegmentState& state : segments) state.silhouette = {};  // who borders on whom
 }
 
 void Renderer::Impl::updateSegment(SegmentState& state, const core::Segment& segment) {
@@ -252,6 +258,8 @@ void Renderer::Impl::upload() {
             state.filterGroups = filter.bind(state.pixels, targets);
             state.filterBound = true;
         }
+        if (!state.silhouette.buffer) prepareSilhouette(state);
+        if (!state.silhouetteGroup) state.silhouetteGroup = silhouette.bind(state.silhouette, targets);
         if (!state.compositeGroup) state.compositeGroup = composite.bind(state.pixels, targets);
     }
 }
@@ -268,7 +276,8 @@ void Renderer::Impl::prepareTargets() {
         targets.filtered = makeTarget(device, "filtered", 1, 1);
         targets.diffusion = makeTarget(device, "diffusion", 1, 1);
         resultStale = true;
-        for (SegmentState& state : segments) state.reshadeGroup = state.gatherGroup = state.compositeGroup = {};
+        for (SegmentState& state : segments)
+            state.reshadeGroup = state.gatherGroup = state.compositeGroup = state.silhouetteGroup = {};
     }
     if (scene.render.filter && !segments.empty() && !fits(targets.filtered)) {
         targets.filtered = makeTarget(device, "filtered", width, height);
@@ -298,6 +307,12 @@ void Renderer::Impl::preparePixels(SegmentState& state) {
     state.pixels.count = static_cast<std::uint32_t>(pixels.size());
     state.pixels.buffer =
         makeBuffer(device, "pixels of segment " + std::to_string(state.label), gpu::BufferUsage::Storage, pixels);
+}
+
+void Renderer::Impl::prepareSilhouette(SegmentState& state) {
+    state.silhouette = silhouette.upload(core::findSilhouette(
+        scene.photo->color, scene.photo->labels, analysis->front->depth, state.label, core::editedLabels(shading)));
+    state.silhouetteGroup = {};
 }
 
 void Renderer::Impl::prepareTranslucency(SegmentState& state) {
@@ -514,6 +529,7 @@ void Renderer::Impl::recordComposite(const gpu::CommandEncoder& encoder, Segment
                                        .pad0 = 0};
     const auto region = timer.measure(encoder, "composite", state.pixels.count);
     composite.record(encoder, geometry, state.compositeGroup, block);
+    silhouette.record(encoder, geometry, state.silhouetteGroup, state.silhouette.count, material.blendOriginal);
 }
 
 void Renderer::Impl::recordDroppedReadback(const gpu::CommandEncoder& encoder) {

@@ -56,6 +56,10 @@ struct SegmentState {
     int filterStep = -1;                ///< -1: not filtering
     std::uint32_t filterCursor = 0;
 
+    // Outline: pixels that show the segment in part.
+    PixelList silhouette;
+    gpu::BindGroup silhouetteGroup;
+
     gpu::BindGroup compositeGroup;
     bool compositeStale = true;
 

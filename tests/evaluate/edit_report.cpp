@@ -7,6 +7,7 @@
 
 #include "core/io/image_io.h"
 #include "core/render/renderer.h"
+#include "core/silhouette.h"
 #include "tests/evaluate/device.h"
 #include "tests/evaluate/markdown.h"
 #include "tests/evaluate/metrics.h"
@@ -34,6 +35,33 @@ constexpr std::array<Metric, 4> kMetrics = {{{"psnr", "PSNR [dB]", 1},
                                              {"ssim", "SSIM", 3},
                                              {"rel_mse", "relMSE", 3},
                                              {"mean_ratio", "mean over true mean", 2}}};
+
+constexpr int kOutlineWidth = 2;  // [px], on either side
+
+core::Image<std::uint8_t> dilatedMask(const core::LabelImage& labels, std::uint16_t label, int dilation) {
+    core::Image<std::uint8_t> mask(labels.width(), labels.height());
+    for (int y = 0; y < mask.height(); ++y)
+        for (int x = 0; x < mask.width(); ++x)
+            for (int v = y - dilation; v <= y + dilation; ++v)
+                for (int u = x - dilation; u <= x + dilation; ++u)
+                    if (labels.contains(u, v) && labels(u, v) == label) mask(x, y) = 1;
+    return mask;
+}
+
+/// The picture as it would be if the edit stopped at the label: what the outline's mixed pixels were made of, undone.
+core::ImageRgb stoppedAtLabel(const core::Scene& scene, const Edit& edit, const core::ImageRgb& picture) {
+    std::vector<std::uint8_t> edited(std::size_t{edit.label} + 1, 0);
+    edited[edit.label] = 1;
+    core::ImageRgb result = picture;
+    for (const core::SilhouettePixel& p :
+         core::findSilhouette(scene.photo->color, scene.photo->labels, scene.photo->depth, edit.label, edited)) {
+        if (scene.photo->labels(p.x, p.y) != edit.label)
+            result(p.x, p.y) = scene.photo->color(p.x, p.y);
+        else if (p.coverage > 0)
+            result(p.x, p.y) = (picture(p.x, p.y) - p.kept) / p.coverage;
+    }
+    return result;
+}
 
 Json toJson(const Metrics& m) {
     return {{"psnr", m.psnr}, {"ssim", m.ssim}, {"rel_mse", m.relMse}, {"mean_ratio", m.meanRatio}};
@@ -64,6 +92,16 @@ Json editReport(const SceneFolder& folder, const Edit& edit, const EditPictures&
     Json report = {{"scene", folder.name}, {"edit", edit.name}, {"samples", folder.scene.render.samples}};
     for (const Variant& variant : kVariants)
         report[variant.key] = toJson(compare(pictures.*variant.picture, pictures.truth, mask, exposure));
+    const core::LabelImage& labels = folder.scene.photo->labels;
+    const auto whole = dilatedMask(labels, edit.label, kOutlineWidth);
+    const auto inner = erodedMask(labels, edit.label, kOutlineWidth);
+    auto outline = whole;
+    for (std::size_t i = 0; i < outline.size(); ++i) outline[i] = whole[i] != 0 && inner[i] == 0 ? 1 : 0;
+    const core::ImageRgb stopped = stoppedAtLabel(folder.scene, edit, pictures.trueBoth);
+    report["outline"] = {{"stopped_at_label", compare(stopped, pictures.truth, outline, exposure).psnr},
+                         {"mixed", compare(pictures.trueBoth, pictures.truth, outline, exposure).psnr},
+                         {"whole_stopped_at_label", compare(stopped, pictures.truth, whole, exposure).psnr},
+                         {"whole_mixed", compare(pictures.trueBoth, pictures.truth, whole, exposure).psnr}};
     return report;
 }
 
@@ -99,6 +137,16 @@ void printEdits(std::ostream& out, const Json& reports) {
         for (const Variant& variant : kVariants)
             cells.push_back(fixed(meanOverEdits(reports, variant.key, metric.key), metric.digits));
         table.row(cells);
+    }
+    out << "\nOutlines, with true light and back side: PSNR [dB] of the pixels within two of the outline, and of the "
+           "segment with two pixels around it; where the edit stops at the label, and where mixed pixels are taken "
+           "apart:\n\n";
+    Table table(out, {"scene", "edit", "outline, stopped", "outline, mixed", "whole, stopped", "whole, mixed"});
+    for (const Json& report : reports) {
+        const Json& outline = report.at("outline");
+        table.row({report.at("scene"), report.at("edit"), fixed(outline.at("stopped_at_label"), 1),
+                   fixed(outline.at("mixed"), 1), fixed(outline.at("whole_stopped_at_label"), 1),
+                   fixed(outline.at("whole_mixed"), 1)});
     }
 }
 

@@ -13,6 +13,7 @@
 #include "kernels/irradiance.h"
 #include "kernels/march_rays.h"
 #include "kernels/reshade.h"
+#include "kernels/silhouette.h"
 #include "shaders/shared/build_pyramid_block.h"
 #include "shaders/shared/composite_block.h"
 #include "shaders/shared/dipole.h"
@@ -23,6 +24,7 @@
 #include "shaders/shared/march_block.h"
 #include "shaders/shared/path.h"
 #include "shaders/shared/reshade_block.h"
+#include "shaders/shared/silhouette_block.h"
 #include "tests/gpu/render_support.h"
 
 namespace {
@@ -105,6 +107,14 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
          MEMBER(CompositeBlock, blendOriginal), MEMBER(CompositeBlock, translucentWeight), MEMBER(CompositeBlock, area),
          MEMBER(CompositeBlock, eta), MEMBER(CompositeBlock, pad0)},
         sizeof(kernel::CompositeBlock));
+    expectLayout(silhouette_spv, "MixedPixel",
+                 {MEMBER(MixedPixel, pixel), MEMBER(MixedPixel, source), MEMBER(MixedPixel, coverage),
+                  MEMBER(MixedPixel, pad0), MEMBER(MixedPixel, kept), MEMBER(MixedPixel, keptOriginal)},
+                 sizeof(kernel::MixedPixel));
+    expectLayout(silhouette_spv, "SilhouetteBlock",
+                 {MEMBER(SilhouetteBlock, pixelCount), MEMBER(SilhouetteBlock, blendOriginal),
+                  MEMBER(SilhouetteBlock, pad0), MEMBER(SilhouetteBlock, pad1)},
+                 sizeof(kernel::SilhouetteBlock));
 }
 
 }  // namespace

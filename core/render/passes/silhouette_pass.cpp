@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/passes/silhouette_pass.h"
+
+#include "core/render/kernels.h"
+#include "kernels/silhouette.h"
+#include "shaders/shared/silhouette_block.h"
+
+namespace render {
+
+SilhouettePass::SilhouettePass(const gpu::Device& device, const gpu::BindGroupLayout& geometryLayout)
+    : device_(device) {
+    using enum gpu::BindingType;
+    layout_ = makeLayout(device, "silhouette",
+                         {{SILHOUETTE_PIXELS, ReadOnlyStorageBuffer},
+                          {SILHOUETTE_COUNT, SampledTexture},
+                          {SILHOUETTE_RESULT, ReadWriteStorageTexture}});
+    pipeline_ =
+        makePipeline(device, "silhouette", silhouette_spv, {geometryLayout, layout_}, sizeof(kernel::SilhouetteBlock));
+}
+
+PixelList SilhouettePass::upload(const std::vector<core::SilhouettePixel>& pixels) const {
+    const auto pack = [](int x, int y) { return static_cast<std::uint32_t>(x) | static_cast<std::uint32_t>(y) << 16; };
+    std::vector<kernel::MixedPixel> packed;
+    packed.reserve(pixels.size());
+    for (const core::SilhouettePixel& p : pixels)
+        packed.push_back({.pixel = pack(p.x, p.y),
+                          .source = pack(p.sourceX, p.sourceY),
+                          .coverage = p.coverage,
+                          .pad0 = 0,
+                          .kept = {p.kept.x(), p.kept.y(), p.kept.z(), 0},
+                          .keptOriginal = {p.keptOriginal.x(), p.keptOriginal.y(), p.keptOriginal.z(), 0}});
+    return {.buffer = makeBuffer(device_, "silhouette", gpu::BufferUsage::Storage, packed),
+            .count = static_cast<std::uint32_t>(packed.size())};
+}
+
+gpu::BindGroup SilhouettePass::bind(const PixelList& pixels, const Targets& targets) const {
+    return device_.createBindGroup(
+        {.label = "silhouette",
+         .layout = layout_,
+         .entries = {{.binding = SILHOUETTE_PIXELS, .buffer = pixels.buffer},
+                     {.binding = SILHOUETTE_COUNT, .textureView = targets.count.createView()},
+                     {.binding = SILHOUETTE_RESULT, .textureView = targets.result.createView()}}});
+}
+
+void SilhouettePass::record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const gpu::BindGroup& group,
+                            std::uint32_t pixelCount, float blendOriginal) const {
+    const kernel::SilhouetteBlock block{.pixelCount = pixelCount, .blendOriginal = blendOriginal, .pad0 = 0, .pad1 = 0};
+    recordList(encoder, "silhouette", pipeline_, geometry, group, block, pixelCount);
+}
+
+}  // namespace render

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parameters of silhouette.comp (push constants): the partly covered pixels at one segment's outline.
+#ifndef PATINA_SILHOUETTE_BLOCK_H
+#define PATINA_SILHOUETTE_BLOCK_H
+
+#include "shaders/shared/interop.h"
+
+#define SILHOUETTE_PIXELS 0  // MixedPixel
+#define SILHOUETTE_COUNT 1   // r32float: samples in the sum
+#define SILHOUETTE_RESULT 2  // rgba32float
+
+KERNEL_BEGIN
+
+/// core::SilhouettePixel as the kernel reads it.
+struct MixedPixel {
+    uint pixel;   // x | y << 16
+    uint source;  // the same
+    float coverage;
+    float pad0;
+    vec4 kept;          // rgb
+    vec4 keptOriginal;  // rgb
+};
+KERNEL_BLOCK(MixedPixel, 48)
+
+struct SilhouetteBlock {
+    uint pixelCount;
+    float blendOriginal;
+    uint pad0;
+    uint pad1;
+};
+KERNEL_BLOCK(SilhouetteBlock, 16)
+
+KERNEL_END
+
+#endif
