@@ -2,6 +2,7 @@
 #include "core/brdf.h"
 
 #include <array>
+#include <cstdio>
 #include <string>
 
 #include "shaders/brdf/brdf.h"
@@ -60,10 +61,34 @@ kernel::BrdfParams toKernel(const Material& material, const Vector3f& estimatedS
     b.specular = toVec4(material.specular.value_or(estimatedSpecular), static_cast<float>(material.fresnel));
     b.eta = toVec4(material.eta);
     b.k = toVec4(material.k);
-    b.values = {material.values[0], material.values[1], material.values[2], material.values[3]};
+    const auto& v = material.values;
+    b.values = {v[0], v[1], v[2], v[3]};
+    b.values2 = {v[4], v[5], v[6], v[7]};
+    b.values3 = {v[8], v[9], v[10], v[11]};
     b.type = static_cast<kernel::uint>(info->id);
     b.pad0 = b.pad1 = b.pad2 = 0;
     return b;
+}
+
+std::string brdfTableMarkdown() {
+    std::string table = "| `brdf` | colours | parameters: range, initial value |\n| --- | --- | --- |\n";
+    for (const BrdfInfo& info : kBrdfs) {
+        table += std::string("| `") + info.key + "` | " +
+                 (info.usesAlbedo     ? "`albedo`"
+                  : info.usesSpecular ? std::string("`specular`; `fresnel`: `") + fresnelKey(info.defaultFresnel) + "`"
+                                      : "") +
+                 " | ";
+        for (std::size_t i = 0; i < info.params.size(); ++i) {
+            const ParamInfo& param = info.params[i];
+            std::array<char, 160> row{};
+            std::snprintf(row.data(), row.size(), "%s`%s`: %g to %g%s, %g", i == 0 ? "" : "; ", param.key,
+                          static_cast<double>(param.min), static_cast<double>(param.max), param.unit,
+                          static_cast<double>(param.initial));
+            table += row.data();
+        }
+        table += " |\n";
+    }
+    return table;
 }
 
 const char* fresnelKey(Fresnel mode) { return kFresnelKeys.at(static_cast<std::size_t>(mode)); }

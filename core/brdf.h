@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/material.h"
@@ -34,6 +35,9 @@ struct BrdfInfo {
 /// material does not choose a specular colour. Parameters are clamped to what the BRDF's text can evaluate, not to the
 /// slider's range. Throws Error(Usage) for an unknown BRDF key.
 [[nodiscard]] kernel::BrdfParams toKernel(const Material& material, const Vector3f& estimatedSpecular);
+
+/// The BRDFs and their parameters as the rows of a Markdown table, as docs/command-line.md has it.
+[[nodiscard]] std::string brdfTableMarkdown();
 
 /// "none", "schlick", "dielectric", "conductor": the words of files and command line.
 [[nodiscard]] const char* fresnelKey(Fresnel mode);

@@ -27,7 +27,7 @@ struct Translucency {
 };
 
 /// How many scalar parameters a BRDF may declare in its table (shaders/brdf/*.h).
-inline constexpr int kBrdfValueCount = 4;
+inline constexpr int kBrdfValueCount = 12;
 
 /// The material a segment is edited to.
 struct Material {

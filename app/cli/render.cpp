@@ -2,14 +2,17 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "app/cli/devices.h"
 #include "app/cli/session.h"
 #include "core/analysis_notes.h"
+#include "core/brdf.h"
 #include "core/io/image_io.h"
 #include "core/io/project.h"
+#include "core/metals.h"
 #include "core/pipeline.h"
 #include "core/render/renderer.h"
 
@@ -91,25 +94,48 @@ void render(const Arguments& args, bool samplesGiven, bool bouncesGiven, bool se
     core::saveColor(result, args.output);
 }
 
+std::string metalWords() {
+    std::string words;
+    for (const core::Metal& metal : core::metals())
+        words += (words.empty() ? "\"" : ", \"") + std::string(metal.key) + "\"";
+    return words;
+}
+
+std::string brdfWords() {
+    std::string words;
+    for (const core::BrdfInfo& info : core::brdfs()) {
+        words += std::string("  ") + info.key;
+        for (const core::ParamInfo& param : info.params)
+            words += (&param == info.params.data() ? ": " : ", ") + std::string(param.key);
+        words += "\n";
+    }
+    return words;
+}
+
 }  // namespace
 
 void addRender(CLI::App& app, Session& session) {
     const auto args = std::make_shared<Arguments>();
     CLI::App* command = app.add_subcommand("render", "Apply edits and write the picture");
     command->footer(
-        "An edit is LABEL=JSON; LABEL is the number in the label map or the segment's name. Keys of the JSON object, "
-        "all\n"
+        std::string("An edit is LABEL=JSON; LABEL is the number in the label map or the segment's name. Keys of the "
+                    "JSON object, "
+                    "all\n") +
         "optional but \"brdf\":\n"
-        "  \"brdf\"          \"none\", \"lambert\", \"phong\", \"ggx\"\n"
+        "  \"brdf\"          one of those below, with its own parameters\n"
         "  \"albedo\"        [r, g, b], diffuse colour\n"
         "  \"specular\"      [r, g, b], or \"estimated\" (the default) from the photograph\n"
-        "  \"exponent\"      of \"phong\";   \"alpha\": roughness of \"ggx\"\n"
         "  \"fresnel\"       \"none\", \"schlick\", \"dielectric\", \"conductor\", with \"eta\" and \"k\"\n"
+        "  \"metal\"         " +
+        metalWords() +
+        ": conductor with its eta and k\n"
         "  \"blend\"         {\"new\": 1, \"original\": 0}, weights of the new and the old picture\n"
         "  \"translucency\"  {\"preset\": \"marble\"}, {\"sigma_a\": [..], \"sigma_s_prime\": [..]} in 1/mm, or\n"
         "                  {\"diffuse_color\": [..], \"mean_free_path_mm\": [..]}; each with \"eta\", \"scale\", "
         "\"weight\"\n\n"
-        "The same project, options, seed and device give the same bytes.\n\n"
+        "BRDFs and their parameters:\n" +
+        brdfWords() +
+        "\nThe same project, options, seed and device give the same bytes.\n\n"
         "Example:\n"
         "  patina-cli render studio.patina --edit 'vase={\"brdf\": \"ggx\", \"alpha\": 0.35}' -o rough.png");
     command->add_option("project", args->project, "Project file")->required()->type_name("P.patina");

@@ -4,6 +4,7 @@
 #include "core/brdf.h"
 #include "core/io/json_reader.h"
 #include "core/io/project.h"
+#include "core/metals.h"
 #include "core/translucency.h"
 
 namespace core {
@@ -113,6 +114,16 @@ Material readMaterial(const json& value, const std::string& place, ErrorKind kin
     const BrdfInfo& brdf = brdfs()[index];
     Material material = defaultMaterial(brdf);
     reader.read("albedo", material.albedo, 0.0f, 1.0f);
+    std::vector<std::string> metalKeys;
+    for (const Metal& metal : metals()) metalKeys.emplace_back(metal.key);
+    if (const auto metal = reader.readChoice("metal", metalKeys)) {
+        if (!brdf.usesSpecular)
+            reader.fail("\"" + reader.place("metal") + "\" needs a BRDF with a Fresnel mode; \"" + brdf.key +
+                        "\" has none.");
+        if (reader.has("eta") || reader.has("k"))
+            reader.fail("Give \"" + reader.place("metal") + "\", or \"eta\" and \"k\", not both.");
+        setMetal(material, metals()[*metal]);
+    }
     if (const json* specular = reader.find("specular")) {
         if (specular->is_string()) {
             if (*specular != "estimated") reader.fail("specular", "[r, g, b] or \"estimated\"", *specular);
@@ -151,8 +162,13 @@ ordered_json writeMaterial(const Material& material) {
     for (std::size_t i = 0; brdf != nullptr && i < brdf->params.size(); ++i)
         result[brdf->params[i].key] = toJson(material.values[i]);
     result["fresnel"] = fresnelKey(material.fresnel);
-    result["eta"] = toJson(material.eta);
-    result["k"] = toJson(material.k);
+    const Metal* metal = brdf != nullptr && brdf->usesSpecular ? metalOf(material) : nullptr;
+    if (metal != nullptr) {
+        result["metal"] = metal->key;
+    } else {
+        result["eta"] = toJson(material.eta);
+        result["k"] = toJson(material.k);
+    }
     result["blend"] = {{"new", toJson(material.blendNew)}, {"original", toJson(material.blendOriginal)}};
     if (material.translucency) result["translucency"] = writeTranslucency(*material.translucency);
     return result;

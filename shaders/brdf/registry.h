@@ -4,11 +4,18 @@
 #ifndef PATINA_BRDF_REGISTRY_H
 #define PATINA_BRDF_REGISTRY_H
 
+#include "shaders/brdf/artist.h"
+#include "shaders/brdf/blinn_phong.h"
+#include "shaders/brdf/coated.h"
 #include "shaders/brdf/ggx.h"
 #include "shaders/brdf/lambert.h"
 #include "shaders/brdf/none.h"
+#include "shaders/brdf/oren_nayar.h"
 #include "shaders/brdf/phong.h"
+#include "shaders/brdf/ward.h"
 
-#define BRDF_LIST(X) X(0, none) X(1, lambert) X(2, phong) X(3, ggx)
+#define BRDF_LIST(X) \
+    X(0, none)       \
+    X(1, lambert) X(2, phong) X(3, ggx) X(4, oren_nayar) X(5, blinn_phong) X(6, ward) X(7, coated) X(8, artist)
 
 #endif

@@ -12,13 +12,15 @@ struct BrdfParams {
     vec4 specular;  // rgb = specular colour, w = Fresnel mode (shaders/brdf/fresnel.h)
     vec4 eta;       // rgb = index of refraction, real part
     vec4 k;         // rgb = extinction coefficient
-    vec4 values;    // the BRDF's own parameters, in its table's order
+    vec4 values;    // the BRDF's own parameters 0 to 3, in its table's order
+    vec4 values2;   // 4 to 7
+    vec4 values3;   // 8 to 11
     uint type;      // index in shaders/brdf/registry.h
     uint pad0;
     uint pad1;
     uint pad2;
 };
-KERNEL_BLOCK(BrdfParams, 96)
+KERNEL_BLOCK(BrdfParams, 128)
 
 KERNEL_END
 

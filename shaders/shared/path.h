@@ -17,7 +17,7 @@ struct SegmentShading {
     vec4 blend;    // x = weight of the new radiance, y = of the photograph, z = probability of the diffuse part at a
                    // hit, w = 1: paths go on here, else they end with the photograph's colour
 };
-KERNEL_BLOCK(SegmentShading, 128)
+KERNEL_BLOCK(SegmentShading, 160)
 
 /// What a path does at a surface.
 const uint kPathPrimary = 0u;  // the surface the camera sees, whose translucency is added elsewhere

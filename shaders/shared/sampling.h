@@ -14,16 +14,26 @@ KERNEL_FN vec3 sample_cosine_hemisphere(vec2 u) {
     return vec3(r * cos(phi), r * sin(phi), sqrt(max(1.0f - u.x, 1e-12f)));
 }
 
-/// First tangent of a frame around unit `n`, without a branch on its length [DBC+17]. The second is `frame_v`.
+/// First tangent of the shading frame of unit `n`: the camera's x axis projected onto the tangent plane, so that
+/// anisotropy runs the same way over the whole picture (arbitrary where n = ±x). The second is `frame_v` = n × u.
 KERNEL_FN vec3 frame_u(vec3 n) {
-    float s = n.z >= 0.0f ? 1.0f : -1.0f;
-    float a = -1.0f / (s + n.z);
-    return vec3(1.0f + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
+    float s = sqrt(n.y * n.y + n.z * n.z);
+    if (s < 1e-6f) return vec3(0.0f, 0.0f, -sign(n.x));
+    float a = -n.x / s;
+    return vec3(s, n.y * a, n.z * a);
 }
 KERNEL_FN vec3 frame_v(vec3 n) {
-    float s = n.z >= 0.0f ? 1.0f : -1.0f;
-    float a = -1.0f / (s + n.z);
-    return vec3(n.x * n.y * a, s + n.y * n.y * a, -n.y);
+    float s = sqrt(n.y * n.y + n.z * n.z);
+    if (s < 1e-6f) return vec3(0.0f, 1.0f, 0.0f);
+    return vec3(0.0f, n.z / s, -n.y / s);
+}
+
+/// A direction of the shading frame, seen from the frame turned by `degrees` about the normal (u towards v).
+KERNEL_FN vec3 turn_frame(vec3 w, float degrees) {
+    float a = degrees * (kPi / 180.0f);
+    float c = cos(a);
+    float s = sin(a);
+    return vec3(c * w.x + s * w.y, c * w.y - s * w.x, w.z);
 }
 
 /// From camera space into the shading frame of normal `n` (n becomes +z), and back.

@@ -65,7 +65,7 @@ inline double chiSquareP(std::vector<double> observed, const std::vector<double>
 inline double sidak(double total, int tests) { return 1 - std::pow(1 - total, 1.0 / tests); }
 
 /// Integral of `f(u, v)` over a rectangle: 3 × 3 Gauss-Legendre, refined where a quarter disagrees with the whole.
-/// `mustSplit(u0, u1, v0, v1)` forces refinement around a known narrow peak.
+/// `mustSplit(u0, u1, v0, v1)` forces refinement around a known narrow peak, by 10 halvings at most.
 template <class F, class S>
 double integrate(const F& f, double u0, double u1, double v0, double v1, const S& mustSplit, double tolerance,
                  int depth = 0) {
@@ -83,7 +83,7 @@ double integrate(const F& f, double u0, double u1, double v0, double v1, const S
     const double vm = 0.5 * (v0 + v1);
     const double whole = rule(u0, u1, v0, v1);
     const double parts = rule(u0, um, v0, vm) + rule(um, u1, v0, vm) + rule(u0, um, vm, v1) + rule(um, u1, vm, v1);
-    const bool split = depth < 10 && (std::abs(parts - whole) > tolerance || (depth < 5 && mustSplit(u0, u1, v0, v1)));
+    const bool split = depth < 10 && (std::abs(parts - whole) > tolerance || mustSplit(u0, u1, v0, v1));
     if (!split) return parts;
     return integrate(f, u0, um, v0, vm, mustSplit, tolerance / 2, depth + 1) +
            integrate(f, um, u1, v0, vm, mustSplit, tolerance / 2, depth + 1) +

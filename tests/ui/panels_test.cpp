@@ -17,6 +17,7 @@
 
 #include "core/brdf.h"
 #include "core/io/image_io.h"
+#include "core/metals.h"
 #include "core/translucency.h"
 #include "tests/ui/support.h"
 #include "ui/panels/back_side_panel.h"
@@ -132,6 +133,24 @@ TEST_F(Panels, MaterialControlsComeFromTheTableOfEachBrdf) {
     }
     chooseBrdf(panel, "");
     EXPECT_FALSE(segment(2).edit.has_value());
+}
+
+TEST_F(Panels, AMetalSetsIndexAndExtinction) {
+    ui::MaterialPanel panel(workspace_);
+    open();
+    workspace_.select(2);
+    chooseBrdf(panel, "ggx");
+    auto* fresnel = test::child<QComboBox>(panel, "materialFresnel");
+    fresnel->setCurrentIndex(fresnel->findData(static_cast<int>(core::Fresnel::Conductor)));
+    emit fresnel->activated(fresnel->currentIndex());
+    auto* metal = test::child<QComboBox>(panel, "materialMetal");
+    EXPECT_EQ(metal->currentIndex(), 0);
+    metal->setCurrentIndex(metal->findData(QStringLiteral("copper")));
+    emit metal->activated(metal->currentIndex());
+    ASSERT_NE(core::metalOf(*segment(2).edit), nullptr);
+    EXPECT_STREQ(core::metalOf(*segment(2).edit)->key, "copper");
+    test::child<QDoubleSpinBox>(panel, "materialKR")->setValue(5);
+    EXPECT_EQ(metal->currentIndex(), 0) << "other numbers are no listed metal";
 }
 
 TEST_F(Panels, DraggingASliderIsOneUndoStep) {

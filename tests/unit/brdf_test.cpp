@@ -6,9 +6,13 @@
 
 #include <cmath>
 #include <complex>
+#include <fstream>
 #include <set>
+#include <sstream>
 #include <string>
 
+#include "core/io/project.h"
+#include "core/metals.h"
 #include "shaders/brdf/brdf.h"
 
 namespace core {
@@ -55,7 +59,7 @@ TEST(BrdfToKernel, TakesEveryField) {
     m.albedo = Vector3f(0.1f, 0.2f, 0.3f);
     m.eta = Vector3f(1.1f, 1.2f, 1.3f);
     m.k = Vector3f(2, 3, 4);
-    m.values = {0.25f, 1, 2, 3};
+    m.values = {0.25f, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
     const kernel::BrdfParams estimated = toKernel(m, Vector3f(0.7f, 0.8f, 0.9f));
     EXPECT_EQ(estimated.specular.y, 0.8f);
     EXPECT_EQ(estimated.specular.w, static_cast<float>(Fresnel::Schlick));
@@ -64,6 +68,8 @@ TEST(BrdfToKernel, TakesEveryField) {
     EXPECT_EQ(estimated.k.z, 4);
     EXPECT_EQ(estimated.values.x, 0.25f);
     EXPECT_EQ(estimated.values.w, 3);
+    EXPECT_EQ(estimated.values2.x, 4);
+    EXPECT_EQ(estimated.values3.w, 11);
     EXPECT_EQ(estimated.type, 3u);
     m.specular = Vector3f(0, 0.5f, 1);
     EXPECT_EQ(toKernel(m, Vector3f(0.7f, 0.8f, 0.9f)).specular.y, 0.5f);
@@ -80,6 +86,49 @@ TEST(BrdfToKernel, NamesAnUnknownBrdf) {
         EXPECT_THAT(error.what(), testing::HasSubstr("\"wrad\""));
         EXPECT_THAT(error.what(), testing::HasSubstr("lambert"));
     }
+}
+
+TEST(BrdfDocs, CommandLinePageHasTheTableOfBrdfs) {
+    std::ifstream file(PATINA_SOURCE_DIR "/docs/command-line.md");
+    std::stringstream page;
+    page << file.rdbuf();
+    EXPECT_NE(page.str().find(brdfTableMarkdown()), std::string::npos) << "docs/command-line.md should have:\n\n"
+                                                                       << brdfTableMarkdown();
+}
+
+TEST(Metals, ReflectWhatTheirColoursAreKnownFor) {
+    const auto reflectance = [](const char* key) {
+        Material m = defaultMaterial(*findBrdf("ggx"));
+        setMetal(m, *findMetal(key));
+        EXPECT_EQ(metalOf(m), findMetal(key));
+        const kernel::vec3 f = kernel::fresnel_specular(toKernel(m, Vector3f(0.1f, 0.1f, 0.1f)), 1);
+        return Vector3f(f.x, f.y, f.z);
+    };
+    // Normal reflectance from other sources: gold 0.95 red to 0.4 blue, copper pink, silver and aluminium above 0.9.
+    const Vector3f gold = reflectance("gold");
+    EXPECT_NEAR(gold.x(), 0.95f, 0.03f);
+    EXPECT_NEAR(gold.y(), 0.75f, 0.06f);
+    EXPECT_NEAR(gold.z(), 0.39f, 0.06f);
+    const Vector3f copper = reflectance("copper");
+    EXPECT_GT(copper.x(), 0.9f);
+    EXPECT_GT(copper.y(), copper.z());
+    EXPECT_GT(reflectance("silver").minCoeff(), 0.95f);
+    EXPECT_NEAR(reflectance("aluminium").mean(), 0.91f, 0.02f);
+    EXPECT_NEAR(reflectance("iron").mean(), 0.53f, 0.04f);
+    EXPECT_NEAR(reflectance("chromium").mean(), 0.55f, 0.04f);
+    EXPECT_EQ(findMetal("unobtainium"), nullptr);
+}
+
+TEST(Metals, AreWordsOfTheEdit) {
+    const Material m = materialFromJson(R"({"brdf": "ward", "metal": "gold", "alpha_x": 0.2})");
+    EXPECT_EQ(metalOf(m), findMetal("gold"));
+    EXPECT_EQ(m.specular, Vector3f(1, 1, 1));
+    EXPECT_EQ(materialFromJson(materialToJson(m)), m);
+    EXPECT_THAT(materialToJson(m), testing::HasSubstr("\"metal\":\"gold\""));
+    for (const char* wrong :
+         {R"({"brdf": "lambert", "metal": "gold"})", R"({"brdf": "ggx", "metal": "gold", "eta": 2})",
+          R"({"brdf": "ggx", "metal": "tin"})", R"({"brdf": "ggx", "metal": 3})"})
+        EXPECT_THROW(static_cast<void>(materialFromJson(wrong)), Error) << wrong;
 }
 
 TEST(BrdfFresnel, DielectricMatchesTheFresnelEquations) {
@@ -151,8 +200,10 @@ TEST(BrdfPhong, PeakIsTheNormalisedLobe) {
 }
 
 TEST(ShadingFrame, IsOrthonormalAndInvertible) {
-    for (const kernel::vec3 n : {kernel::vec3(0, 0, 1), kernel::vec3(0, 0, -1), kernel::vec3(0.6f, 0, -0.8f),
-                                 kernel::normalize(kernel::vec3(1e-4f, 1e-4f, -1)), kernel::vec3(0, 1, 0)}) {
+    for (const kernel::vec3 n :
+         {kernel::vec3(0, 0, 1), kernel::vec3(0, 0, -1), kernel::vec3(0.6f, 0, -0.8f),
+          kernel::normalize(kernel::vec3(1e-4f, 1e-4f, -1)), kernel::vec3(0, 1, 0), kernel::vec3(1, 0, 0),
+          kernel::vec3(-1, 0, 0), kernel::normalize(kernel::vec3(1, 1e-5f, 1e-4f))}) {
         const kernel::vec3 u = kernel::frame_u(n);
         const kernel::vec3 v = kernel::frame_v(n);
         EXPECT_NEAR(kernel::dot(u, v), 0, 1e-5);
@@ -161,6 +212,8 @@ TEST(ShadingFrame, IsOrthonormalAndInvertible) {
         EXPECT_NEAR(kernel::dot(kernel::cross(u, v), n), 1, 1e-5);
         const kernel::vec3 d(0.36f, 0.48f, 0.8f);
         EXPECT_NEAR(kernel::length(kernel::to_local(n, kernel::from_local(n, d)) - d), 0, 1e-5);
+        EXPECT_GE(u.x, 0) << "the first tangent follows the camera's x axis";
+        EXPECT_NEAR(v.x, 0, 1e-6) << "and the second has no part of it";
     }
 }
 

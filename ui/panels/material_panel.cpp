@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/brdf.h"
+#include "core/metals.h"
 #include "core/translucency.h"
 #include "ui/widgets/color_button.h"
 #include "ui/widgets/param_slider.h"
@@ -115,6 +116,15 @@ void MaterialPanel::makeSurfaceGroup() {
     fresnel_->addItem(tr("Dielectric"), static_cast<int>(core::Fresnel::Dielectric));
     fresnel_->addItem(tr("Conductor"), static_cast<int>(core::Fresnel::Conductor));
     fresnelRow_ = makeRow(tr("Fresnel"), {fresnel_}, group);
+    metal_ = new QComboBox(group);
+    metal_->setObjectName(QStringLiteral("materialMetal"));
+    metal_->setAccessibleName(tr("Metal"));
+    metal_->setToolTip(tr("Measured n and k of pure metals"));
+    metal_->addItem(tr("By hand"), QString());
+    for (const core::Metal& metal : core::metals()) {
+        metal_->addItem(QCoreApplication::translate("metals", metal.label), QString::fromUtf8(metal.key));
+    }
+    metalRow_ = makeRow(tr("Metal"), {metal_}, group);
     eta_ = new VectorEdit(QStringLiteral("materialEta"), tr("Index n"), tr("Index of refraction"), 0.01, 20, 3, group);
     k_ = new VectorEdit(QStringLiteral("materialK"), tr("Extinction k"), tr("Extinction coefficient of a metal"), 0, 20,
                         3, group);
@@ -124,6 +134,7 @@ void MaterialPanel::makeSurfaceGroup() {
     layout->addWidget(specularRow_);
     layout->addWidget(params);
     layout->addWidget(fresnelRow_);
+    layout->addWidget(metalRow_);
     layout->addWidget(eta_);
     layout->addWidget(k_);
     body_->layout()->addWidget(group);
@@ -146,6 +157,13 @@ void MaterialPanel::makeSurfaceGroup() {
     connect(fresnel_, &QComboBox::activated, this, [this](int index) {
         const auto mode = static_cast<core::Fresnel>(fresnel_->itemData(index).toInt());
         editMaterial(tr("Change Fresnel"), [&](core::Material& m) { m.fresnel = mode; });
+    });
+    connect(metal_, &QComboBox::activated, this, [this](int index) {
+        const core::Metal* metal = core::findMetal(metal_->itemData(index).toString().toStdString());
+        if (metal != nullptr)
+            editMaterial(tr("Choose metal"), [&](core::Material& m) { core::setMetal(m, *metal); });
+        else
+            refresh();
     });
     connect(eta_, &VectorEdit::valueChanged, this, [this](const core::Vector3f& value) {
         editMaterial(
@@ -394,6 +412,10 @@ void MaterialPanel::refresh() {
     eta_->setVisible(specular &&
                      (material.fresnel == core::Fresnel::Dielectric || material.fresnel == core::Fresnel::Conductor));
     k_->setVisible(specular && material.fresnel == core::Fresnel::Conductor);
+    metalRow_->setVisible(specular && material.fresnel == core::Fresnel::Conductor);
+    const core::Metal* metal = core::metalOf(material);
+    const QSignalBlocker blockMetal(metal_);
+    metal_->setCurrentIndex(metal == nullptr ? 0 : metal_->findData(QString::fromUtf8(metal->key)));
     eta_->setValue(material.eta);
     k_->setValue(material.k);
     blendNew_->setValue(static_cast<double>(material.blendNew));

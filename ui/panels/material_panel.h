@@ -54,6 +54,8 @@ class MaterialPanel : public Panel {
     std::vector<ParamSlider*> params_;
     QWidget* fresnelRow_ = nullptr;
     QComboBox* fresnel_ = nullptr;
+    QWidget* metalRow_ = nullptr;
+    QComboBox* metal_ = nullptr;
     VectorEdit* eta_ = nullptr;
     VectorEdit* k_ = nullptr;
     ParamSlider* blendNew_ = nullptr;
