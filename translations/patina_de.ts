@@ -73,6 +73,26 @@
         <source>Phong</source>
         <translation>Phong</translation>
     </message>
+    <message>
+        <source>Oren–Nayar</source>
+        <translation>Oren–Nayar</translation>
+    </message>
+    <message>
+        <source>Blinn–Phong</source>
+        <translation>Blinn–Phong</translation>
+    </message>
+    <message>
+        <source>Ward</source>
+        <translation>Ward</translation>
+    </message>
+    <message>
+        <source>Coated</source>
+        <translation>Lackiert</translation>
+    </message>
+    <message>
+        <source>Artist</source>
+        <translation>Freies Modell</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -90,6 +110,33 @@
     </message>
 </context>
 <context>
+    <name>metals</name>
+    <message>
+        <source>Silver</source>
+        <translation>Silber</translation>
+    </message>
+    <message>
+        <source>Gold</source>
+        <translation>Gold</translation>
+    </message>
+    <message>
+        <source>Copper</source>
+        <translation>Kupfer</translation>
+    </message>
+    <message>
+        <source>Aluminium</source>
+        <translation>Aluminium</translation>
+    </message>
+    <message>
+        <source>Chromium</source>
+        <translation>Chrom</translation>
+    </message>
+    <message>
+        <source>Iron</source>
+        <translation>Eisen</translation>
+    </message>
+</context>
+<context>
     <name>params</name>
     <message>
         <source>Roughness</source>
@@ -98,6 +145,50 @@
     <message>
         <source>Exponent</source>
         <translation>Exponent</translation>
+    </message>
+    <message>
+        <source>Roughness along</source>
+        <translation>Rauheit längs</translation>
+    </message>
+    <message>
+        <source>Roughness across</source>
+        <translation>Rauheit quer</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Index of refraction</source>
+        <translation>Brechungsindex</translation>
+    </message>
+    <message>
+        <source>Metallic</source>
+        <translation>Metallisch</translation>
+    </message>
+    <message>
+        <source>Specular</source>
+        <translation>Glanz</translation>
+    </message>
+    <message>
+        <source>Anisotropy</source>
+        <translation>Anisotropie</translation>
+    </message>
+    <message>
+        <source>Sheen</source>
+        <translation>Schimmer</translation>
+    </message>
+    <message>
+        <source>Sheen tint</source>
+        <translation>Farbe im Schimmer</translation>
+    </message>
+    <message>
+        <source>Clear coat</source>
+        <translation>Klarlack</translation>
+    </message>
+    <message>
+        <source>Clear coat roughness</source>
+        <translation>Rauheit des Klarlacks</translation>
     </message>
 </context>
 <context>
@@ -1283,6 +1374,18 @@
     <message>
         <source>Nothing is open</source>
         <translation>Nichts ist geöffnet</translation>
+    </message>
+    <message>
+        <source>Metal</source>
+        <translation>Metall</translation>
+    </message>
+    <message>
+        <source>Measured n and k of pure metals</source>
+        <translation>Gemessene n und k reiner Metalle</translation>
+    </message>
+    <message>
+        <source>Choose metal</source>
+        <translation>Metall wählen</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include "core/render/kernels.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "shaders/shared/geometry_block.h"
 
@@ -11,6 +12,21 @@ ListGroups listGroups(std::uint32_t count, const gpu::Limits& limits) {
     const std::uint32_t groups = (count + kListGroupSize - 1) / kListGroupSize;
     const std::uint32_t x = std::min(groups, limits.maxComputeWorkgroupsPerDimension);
     return {.x = x, .y = x == 0 ? 1 : (groups + x - 1) / x};
+}
+
+BrdfPipeline::BrdfPipeline(const gpu::Device& device, std::string label, std::span<const std::uint32_t> code,
+                           std::vector<gpu::BindGroupLayout> groups, std::uint32_t pushConstantSize)
+    : device_(device),
+      label_(std::move(label)),
+      layout_(device.createPipelineLayout(
+          {.label = label_, .bindGroupLayouts = std::move(groups), .pushConstantSize = pushConstantSize})),
+      module_(device.createShaderModule({.label = label_, .code = code})) {}
+
+void BrdfPipeline::use(std::uint32_t brdfs) {
+    brdfs_ = brdfs;
+    if (pipelines_.contains(brdfs)) return;
+    pipelines_[brdfs] = device_.createComputePipeline(
+        {.label = label_, .layout = layout_, .module = module_, .constants = {{"0", static_cast<double>(brdfs)}}});
 }
 
 gpu::ComputePipeline makePipeline(const gpu::Device& device, const std::string& label,

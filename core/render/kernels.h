@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,28 @@ struct ListGroups {
     std::uint32_t y = 1;
 };
 [[nodiscard]] ListGroups listGroups(std::uint32_t count, const gpu::Limits& limits);
+
+/// A kernel that calls BRDFs, compiled for those in use: on a software device the time to compile grows with every
+/// BRDF. What has been compiled is kept.
+class BrdfPipeline {
+  public:
+    BrdfPipeline() = default;
+    BrdfPipeline(const gpu::Device& device, std::string label, std::span<const std::uint32_t> code,
+                 std::vector<gpu::BindGroupLayout> groups, std::uint32_t pushConstantSize);
+
+    /// Chooses the BRDFs, bit = id in shaders/brdf/registry.h. Compiles when there is no pipeline for them yet.
+    void use(std::uint32_t brdfs);
+    /// For the BRDFs chosen last.
+    [[nodiscard]] const gpu::ComputePipeline& pipeline() const { return pipelines_.at(brdfs_); }
+
+  private:
+    gpu::Device device_;
+    std::string label_;
+    gpu::PipelineLayout layout_;
+    gpu::ShaderModule module_;
+    std::uint32_t brdfs_ = 0;
+    std::map<std::uint32_t, gpu::ComputePipeline> pipelines_;
+};
 
 /// A pipeline whose groups have the given bindings. Every kernel that reads the scene has the geometry in group 0.
 [[nodiscard]] gpu::ComputePipeline makePipeline(const gpu::Device& device, const std::string& label,

@@ -249,6 +249,13 @@ void Renderer::Impl::upload() {
         }
         shadingStale = false;
     }
+    if (!segments.empty()) {
+        std::uint32_t brdfs = 0;
+        for (const kernel::SegmentShading& entry : shading) brdfs |= 1u << entry.brdf.type;
+        reshade.useBrdfs(brdfs);
+        if (std::any_of(segments.begin(), segments.end(), [](const SegmentState& s) { return s.translucent(); }))
+            translucency.useBrdfs(brdfs);
+    }
     prepareTargets();
     for (SegmentState& state : segments) {
         if (!state.pixels.buffer) preparePixels(state);

@@ -15,51 +15,66 @@
 
 KERNEL_BEGIN
 
-#define BRDF_CASE(id, name) \
-    case id:                \
-        return name##_eval(b, wo, wi);
+// A kernel is compiled for the BRDFs in use (bit = id); the others read as absorbing.
+#ifdef __cplusplus
+const uint kBrdfSet = 0xffffffffu;
+#else
+layout(constant_id = 0) const uint kBrdfSet = 0xffffffffu;
+#endif
+
+#define BRDF_CASE(id, name)                                               \
+    case id:                                                              \
+        if ((kBrdfSet & (1u << id)) != 0u) return name##_eval(b, wo, wi); \
+        break;
 KERNEL_FN vec3 brdf_eval(BrdfParams b, vec3 wo, vec3 wi) {
     switch (int(b.type)) {
         BRDF_LIST(BRDF_CASE)
         default:
-            return vec3(0.0f);
+            break;
     }
+    return vec3(0.0f);
 }
 #undef BRDF_CASE
 
-#define BRDF_CASE(id, name) \
-    case id:                \
-        return name##_pdf(b, wo, wi);
+#define BRDF_CASE(id, name)                                              \
+    case id:                                                             \
+        if ((kBrdfSet & (1u << id)) != 0u) return name##_pdf(b, wo, wi); \
+        break;
 KERNEL_FN float brdf_pdf(BrdfParams b, vec3 wo, vec3 wi) {
     switch (int(b.type)) {
         BRDF_LIST(BRDF_CASE)
         default:
-            return 0.0f;
+            break;
     }
+    return 0.0f;
 }
 #undef BRDF_CASE
 
-#define BRDF_CASE(id, name) \
-    case id:                \
-        return name##_sample(b, wo, u);
+#define BRDF_CASE(id, name)                                                \
+    case id:                                                               \
+        if ((kBrdfSet & (1u << id)) != 0u) return name##_sample(b, wo, u); \
+        break;
 KERNEL_FN vec3 brdf_sample(BrdfParams b, vec3 wo, vec2 u) {
     switch (int(b.type)) {
         BRDF_LIST(BRDF_CASE)
         default:
-            return vec3(0.0f, 0.0f, -1.0f);
+            break;
     }
+    return vec3(0.0f, 0.0f, -1.0f);
 }
 #undef BRDF_CASE
 
-#define BRDF_CASE(id, name) \
-    case id:                \
-        return name##_weight(b, wo, wi);
+#define BRDF_CASE(id, name)                                                 \
+    case id:                                                                \
+        if ((kBrdfSet & (1u << id)) != 0u) return name##_weight(b, wo, wi); \
+        break;
 KERNEL_FN vec3 brdf_weight(BrdfParams b, vec3 wo, vec3 wi) {
     switch (int(b.type)) {
         BRDF_LIST(BRDF_CASE)
         default:
-            return vec3(0.0f);
+            break;
     }
+    return vec3(0.0f);
 }
 #undef BRDF_CASE
 

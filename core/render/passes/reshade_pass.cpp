@@ -14,7 +14,7 @@ ReshadePass::ReshadePass(const gpu::Device& device, const gpu::BindGroupLayout& 
                           {RESHADE_PIXELS, ReadOnlyStorageBuffer},
                           {RESHADE_ACCUMULATION, ReadWriteStorageTexture},
                           {RESHADE_COUNT, ReadWriteStorageTexture}});
-    pipeline_ = makePipeline(device, "reshade", reshade_spv, {geometryLayout, layout_}, sizeof(kernel::ReshadeBlock));
+    pipeline_ = BrdfPipeline(device, "reshade", reshade_spv, {geometryLayout, layout_}, sizeof(kernel::ReshadeBlock));
 }
 
 gpu::BindGroup ReshadePass::bind(const PathInputs& inputs, const PixelList& pixels, const Targets& targets) const {
@@ -30,7 +30,7 @@ gpu::BindGroup ReshadePass::bind(const PathInputs& inputs, const PixelList& pixe
 
 void ReshadePass::record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const gpu::BindGroup& group,
                          const kernel::ReshadeBlock& block) const {
-    recordList(encoder, "reshade", pipeline_, geometry, group, block, block.pixelCount);
+    recordList(encoder, "reshade", pipeline_.pipeline(), geometry, group, block, block.pixelCount);
 }
 
 }  // namespace render

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/render/kernels.h"
 #include "core/render/passes/segment_targets.h"
 #include "core/render/scene_geometry.h"
 #include "gpu/device.h"
@@ -13,6 +14,8 @@ class ReshadePass {
   public:
     ReshadePass(const gpu::Device& device, const gpu::BindGroupLayout& geometryLayout);
 
+    /// The BRDFs that paths may meet, bit = id; to be called before `record`.
+    void useBrdfs(std::uint32_t brdfs) { pipeline_.use(brdfs); }
     [[nodiscard]] gpu::BindGroup bind(const PathInputs& inputs, const PixelList& pixels, const Targets& targets) const;
     void record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const gpu::BindGroup& group,
                 const kernel::ReshadeBlock& block) const;
@@ -20,7 +23,7 @@ class ReshadePass {
   private:
     gpu::Device device_;
     gpu::BindGroupLayout layout_;
-    gpu::ComputePipeline pipeline_;
+    BrdfPipeline pipeline_;
 };
 
 }  // namespace render

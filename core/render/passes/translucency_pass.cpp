@@ -23,7 +23,7 @@ TranslucencyPass::TranslucencyPass(const gpu::Device& device, const gpu::BindGro
                                 {DIPOLE_GATHER_POINTS, ReadOnlyStorageBuffer},
                                 {DIPOLE_GATHER_SUMS, ReadOnlyStorageBuffer},
                                 {DIPOLE_GATHER_DIFFUSION, ReadWriteStorageTexture}});
-    irradiance_ = makePipeline(device, "irradiance", irradiance_spv, {geometryLayout, irradianceLayout_},
+    irradiance_ = BrdfPipeline(device, "irradiance", irradiance_spv, {geometryLayout, irradianceLayout_},
                                sizeof(kernel::IrradianceBlock));
     gather_ = makePipeline(device, "dipole_gather", dipole_gather_spv, {geometryLayout, gatherLayout_},
                            sizeof(kernel::DipoleGatherBlock));
@@ -73,7 +73,7 @@ gpu::BindGroup TranslucencyPass::bindGather(const gpu::Buffer& dipole, const Pix
 
 void TranslucencyPass::record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const gpu::BindGroup& group,
                               const kernel::IrradianceBlock& block) const {
-    recordList(encoder, "irradiance", irradiance_, geometry, group, block, block.pointCount);
+    recordList(encoder, "irradiance", irradiance_.pipeline(), geometry, group, block, block.pointCount);
 }
 
 void TranslucencyPass::record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const gpu::BindGroup& group,

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "core/render/kernels.h"
 #include "core/render/passes/segment_targets.h"
 #include "core/render/scene_geometry.h"
 #include "core/translucency.h"
@@ -27,6 +28,8 @@ class TranslucencyPass {
   public:
     TranslucencyPass(const gpu::Device& device, const gpu::BindGroupLayout& geometryLayout);
 
+    /// The BRDFs that paths may meet, bit = id; to be called before light is recorded.
+    void useBrdfs(std::uint32_t brdfs) { irradiance_.use(brdfs); }
     [[nodiscard]] SurfacePoints upload(const core::SurfaceSamples& samples) const;
     [[nodiscard]] gpu::BindGroup bindIrradiance(const PathInputs& inputs, const SurfacePoints& points) const;
     [[nodiscard]] gpu::BindGroup bindGather(const gpu::Buffer& dipole, const PixelList& pixels,
@@ -40,7 +43,7 @@ class TranslucencyPass {
     gpu::Device device_;
     gpu::BindGroupLayout irradianceLayout_;
     gpu::BindGroupLayout gatherLayout_;
-    gpu::ComputePipeline irradiance_;
+    BrdfPipeline irradiance_;
     gpu::ComputePipeline gather_;
 };
 
