@@ -182,6 +182,7 @@ void MainWindow::showManual() {
     dialog->resize(760, 720);
     auto* text = new QTextBrowser(dialog);
     text->setOpenExternalLinks(true);
+    text->setSearchPaths({QStringLiteral(":/docs")});
     QFile file(QStringLiteral(":/docs/manual.md"));
     if (file.open(QIODevice::ReadOnly)) text->setMarkdown(QString::fromUtf8(file.readAll()));
     auto* layout = new QVBoxLayout(dialog);
