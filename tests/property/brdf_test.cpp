@@ -84,7 +84,7 @@ double integrateDirections(const F& f, const vec3& wo, double theta0, double the
     };
     const auto near = [&](double t0, double t1, double p0, double p1) {
         const double size = std::max(t1 - t0, p1 - p0);
-        return (size > 0.003 && within(0.02, t0, t1, p0, p1)) || (size > 0.06 && within(0.3, t0, t1, p0, p1));
+        return (size > 0.006 && within(0.02, t0, t1, p0, p1)) || (size > 0.06 && within(0.3, t0, t1, p0, p1));
     };
     return test::integrate([&](double t, double p) { return f(direction(t, p)) * std::sin(t); }, theta0, theta1, phi0,
                            phi1, near, tolerance);
