@@ -28,11 +28,11 @@ void main() {
     if (count > 0.0) {
         vec3 fresh = block.filtered != 0u ? texelFetch(filteredMap, pixel, 0).rgb
                                           : texelFetch(accumulationMap, pixel, 0).rgb / count;
-        if (block.translucentWeight != 0.0) {
+        if (block.translucent != 0u) {
             vec4 diffusion = texelFetch(diffusionMap, pixel, 0);
             vec3 wo = normalize(-frontPosition(pixel));
             vec3 n = shading_normal(texelFetch(frontNormalMap, pixel, 0).xyz, wo);
-            float transmission = fresnel_transmission(block.eta, max(dot(n, wo), 0.0));
+            float transmission = fresnel_transmission(sliceValue(block.eta), max(dot(n, wo), 0.0));
             float scale = kInvPi * block.area / max(diffusion.w, 1.0) * transmission;
             fresh += block.translucentWeight * scale * diffusion.rgb;
         }

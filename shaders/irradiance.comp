@@ -23,7 +23,7 @@ void main() {
     if (index >= block.pointCount) return;
     index += block.firstPoint;
     vec3 n = points[index].normal.xyz;
-    PathVertex start = PathVertex(points[index].position.xyz, n, n, block.label, kPathEnter, block.eta);
+    PathVertex start = PathVertex(points[index].position.xyz, n, n, block.label, kPathEnter, sliceValue(block.eta));
     uint id = uint(points[index].position.w);
     vec3 sum = sliceValue(block.firstRay) == 0u ? vec3(0.0) : sums[index].rgb;
     uint rayCount = sliceValue(block.rayCount);

@@ -533,7 +533,7 @@ void Renderer::Impl::recordComposite(const gpu::CommandEncoder& encoder, Segment
                                        .translucentWeight = state.translucent() ? material.translucency->weight : 0.0f,
                                        .area = state.points.area,
                                        .eta = state.dipoleParams.alphaPrime.w,
-                                       .pad0 = 0};
+                                       .translucent = state.translucent() ? 1u : 0u};
     const auto region = timer.measure(encoder, "composite", state.pixels.count);
     composite.record(encoder, geometry, state.compositeGroup, block);
     silhouette.record(encoder, geometry, state.silhouetteGroup, state.silhouette.count, material.blendOriginal);

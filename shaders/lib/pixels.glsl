@@ -12,6 +12,7 @@ uint listIndex() { return gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * gl_Wor
 // another variant of a kernel for every value of a constant that decides such a thing; min(v, v | id) is v, but no
 // constant. (gl_GlobalInvocationID is only there to be unknown.)
 uint sliceValue(uint value) { return min(value, value | gl_GlobalInvocationID.x); }
+float sliceValue(float value) { return uintBitsToFloat(sliceValue(floatBitsToUint(value))); }
 
 ivec2 unpackPixel(uint packed) { return ivec2(packed & 0xffffu, packed >> 16); }
 

@@ -19,10 +19,10 @@ struct CompositeBlock {
     uint filtered;  // 1: take the filtered colour
     float blendNew;
     float blendOriginal;
-    float translucentWeight;  // 0: not translucent
-    float area;               // of the segment's surface, front and back [m^2]
-    float eta;                // relative index of refraction of the boundary
-    float pad0;
+    float translucentWeight;
+    float area;        // of the segment's surface, front and back [m^2]
+    float eta;         // relative index of refraction of the boundary
+    uint translucent;  // 1: add translucentWeight times the translucent light
 };
 KERNEL_BLOCK(CompositeBlock, 32)
 

@@ -106,7 +106,7 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
         composite_spv, "CompositeBlock",
         {MEMBER(CompositeBlock, pixelCount), MEMBER(CompositeBlock, filtered), MEMBER(CompositeBlock, blendNew),
          MEMBER(CompositeBlock, blendOriginal), MEMBER(CompositeBlock, translucentWeight), MEMBER(CompositeBlock, area),
-         MEMBER(CompositeBlock, eta), MEMBER(CompositeBlock, pad0)},
+         MEMBER(CompositeBlock, eta), MEMBER(CompositeBlock, translucent)},
         sizeof(kernel::CompositeBlock));
     expectLayout(silhouette_spv, "MixedPixel",
                  {MEMBER(MixedPixel, pixel), MEMBER(MixedPixel, source), MEMBER(MixedPixel, coverage),
