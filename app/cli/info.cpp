@@ -7,10 +7,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <vector>
 
 #include "app/cli/session.h"
 #include "core/io/import/import_format.h"
 #include "core/io/project.h"
+#include "core/pipeline.h"
 
 namespace cli {
 
@@ -34,7 +36,31 @@ ordered_json describeDepth(const core::ImageF& depth) {
     return result;
 }
 
-ordered_json describe(const core::Scene& scene, const std::string& project) {
+/// How the back of every segment was made, by label; segments without depth have none.
+std::map<std::uint16_t, ordered_json> describeBackSides(const core::Scene& scene) {
+    const auto analysis = core::AnalysisPipeline().run(scene, makeStepContext());
+    finishProgress();
+    const core::LabelImage& labels = scene.photo->labels;
+    std::map<std::uint16_t, std::vector<float>> thickness;
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        if (labels[i] != 0 && analysis->front->depth[i] > 0)
+            thickness[labels[i]].push_back(analysis->back->depth[i] - analysis->front->depth[i]);
+    std::map<std::uint16_t, ordered_json> result;
+    for (const core::BackSideInfo& info : analysis->backSides) {
+        std::vector<float>& values = thickness[info.label];
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::ranges::nth_element(values, middle);
+        ordered_json& entry = result[info.label];
+        entry["method"] = core::backSideMethodKey(info.used);
+        entry["penalty"] = info.mirrorError;
+        entry["thickness"] = *middle;
+        entry["on_support"] = info.onSupport;
+        if (!info.note.empty()) entry["note"] = info.note;
+    }
+    return result;
+}
+
+ordered_json describe(const core::Scene& scene, const std::string& project, bool analyse) {
     const core::Photo& photo = *scene.photo;
     const core::Camera& camera = photo.camera;
     ordered_json result;
@@ -60,6 +86,8 @@ ordered_json describe(const core::Scene& scene, const std::string& project) {
         ++pixels[photo.labels[i]];
         if (photo.depth[i] > 0) ++withDepth[photo.labels[i]];
     }
+    std::map<std::uint16_t, ordered_json> backSides;
+    if (analyse) backSides = describeBackSides(scene);
     result["segments"] = ordered_json::array();
     for (const core::Segment& segment : scene.segments) {
         ordered_json entry;
@@ -70,6 +98,7 @@ ordered_json describe(const core::Scene& scene, const std::string& project) {
         entry["pixels_with_depth"] = withDepth[segment.label];
         if (segment.reflectance) entry["reflectance"] = triple(*segment.reflectance);
         if (segment.edit) entry["edit"] = ordered_json::parse(core::materialToJson(*segment.edit));
+        if (const auto back = backSides.find(segment.label); back != backSides.end()) entry["back_side"] = back->second;
         result["segments"].push_back(std::move(entry));
     }
     result["render"] = {{"samples", scene.render.samples},
@@ -99,11 +128,17 @@ void printText(const ordered_json& info) {
                                            ? "recovered from the photograph"
                                            : text(info["files"]["environment"]).c_str());
     std::printf("  segments     %s, %zu\n", text(info["files"]["segments"]).c_str(), info["segments"].size());
-    for (const ordered_json& segment : info["segments"])
+    for (const ordered_json& segment : info["segments"]) {
         std::printf(
             "    %5d  %-20s %8zu px%s%s\n", segment["label"].get<int>(), segment["name"].get<std::string>().c_str(),
             segment["pixels"].get<std::size_t>(), segment["glossy"].get<bool>() ? "  glossy" : "",
             segment.contains("edit") ? ("  edited: " + segment["edit"]["brdf"].get<std::string>()).c_str() : "");
+        if (!segment.contains("back_side")) continue;
+        const ordered_json& back = segment["back_side"];
+        std::printf("           back: %s, penalty %.2f, %.3g m thick%s\n", back["method"].get<std::string>().c_str(),
+                    back["penalty"].get<double>(), back["thickness"].get<double>(),
+                    back["on_support"].get<bool>() ? ", on a support" : "");
+    }
 }
 
 }  // namespace
@@ -112,14 +147,16 @@ void addInfo(CLI::App& app, Session& session) {
     struct Arguments {
         std::string project;
         bool json = false;
+        bool backSides = false;
     };
     const auto args = std::make_shared<Arguments>();
     CLI::App* command = app.add_subcommand("info", "Describe a project: files, camera, depth range, segments, edits");
     command->add_option("project", args->project, "Project file")->required()->type_name("P.patina");
     command->add_flag("--json", args->json, "Print one JSON document");
+    command->add_flag("--back-sides", args->backSides, "Analyse the photograph and say how each back side was made");
     command->callback([&session, args] {
         session.run = [args] {
-            const ordered_json info = describe(loadScene(args->project), args->project);
+            const ordered_json info = describe(loadScene(args->project), args->project, args->backSides);
             if (args->json)
                 std::cout << info.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
             else

@@ -222,7 +222,7 @@ ordered_json writeSegment(const Segment& segment) {
     result["label"] = segment.label;
     result["name"] = segment.name;
     result["glossy"] = segment.glossy;
-    result["back_side"] = {{"method", kBackSideMethods[static_cast<std::size_t>(segment.backSide.method)]},
+    result["back_side"] = {{"method", backSideMethodKey(segment.backSide.method)},
                            {"offset", toJson(segment.backSide.offset)},
                            {"plane_shift", toJson(segment.backSide.planeShift)},
                            {"thickness_scale", toJson(segment.backSide.thicknessScale)},
@@ -319,6 +319,10 @@ void saveProject(const Scene& scene, const std::string& path) {
         throw Error(ErrorKind::Output,
                     "Cannot write \"" + path + "\": a file or segment name in it is not valid UTF-8.");
     }
+}
+
+const std::string& backSideMethodKey(BackSideMethod method) {
+    return kBackSideMethods[static_cast<std::size_t>(method)];
 }
 
 }  // namespace core

@@ -45,6 +45,8 @@ inline constexpr float kMaxDepth = 10000.0f;
 /// "z", "distance", "disparity", "inverse": the words of files and command line.
 [[nodiscard]] const char* depthKindKey(DepthKind kind);
 [[nodiscard]] std::optional<DepthKind> findDepthKind(std::string_view key);
+/// "automatic", "offset", "parallel_mirror", ...: the word of project files and command line.
+[[nodiscard]] const std::string& backSideMethodKey(BackSideMethod method);
 
 /// Reads a `.patina` project (JSON; format in docs/project-format.md). Image paths are relative to the project file.
 /// Unknown keys, wrong types and out-of-range values are errors that name the key.

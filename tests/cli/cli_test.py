@@ -214,11 +214,24 @@ class WorkTest(CliTest):
         self.assertAlmostEqual(info["depth"]["min"], 0.8, places=6)
         self.assertEqual([(s["label"], s["glossy"], s["pixels"]) for s in info["segments"]],
                          [(1, True, 256), (2, False, 48 * 32 - 256)])
+        self.assertNotIn("back_side", result.stdout)
         self.assertIn("48x32", self.run_cli("info", project).stdout)
         assumed = self.run_cli("create", "--color", self.path("color.png"), "--depth", self.path("depth.png"), "-o",
                                self.path("q.patina"))
         self.assertIn("60 degrees", assumed.stderr)
         self.assertEqual(assumed.stdout, "")
+
+    def test_info_says_how_back_sides_were_made(self):
+        project = self.small_project()
+        info = json.loads(self.run_cli("info", project, "--json", "--back-sides").stdout)
+        near, wall = (segment["back_side"] for segment in info["segments"])
+        self.assertIn(near["method"], ("offset", "parallel_mirror", "pca_mirror", "spanned_mirror", "flat_faces"))
+        self.assertTrue(0 <= near["penalty"] <= 1)
+        self.assertGreaterEqual(near["thickness"], 0.0019)
+        self.assertEqual((wall["method"], wall["penalty"]), ("offset", 0))
+        self.assertAlmostEqual(wall["thickness"], 0.05, places=5)
+        self.assertIn("table or a wall", wall["note"])
+        self.assertIn("back: offset", self.run_cli("info", project, "--back-sides").stdout)
 
     def test_export_every_layer(self):
         project = self.small_project()
