@@ -299,7 +299,7 @@ ImageRgb ReferenceRenderer::composite(const ImageRgb& reshaded, const ImageRgb& 
     }
     const std::vector<std::uint8_t> edited = editedLabels(shading_);
     for (const Segment& segment : scene_.segments) {
-        if (!segment.edit) continue;
+        if (!segment.edit || segment.glossy) continue;
         for (const SilhouettePixel& p :
              findSilhouette(scene_.photo->color, layers_->labels, analysis_->front->depth, segment.label, edited))
             result(p.x, p.y) =

@@ -28,6 +28,7 @@ struct SilhouettePixel {
 /// The coverage a is that of the mixture C = a F + (1 − a) B of the nearest clean inner colour F and the nearest clean
 /// outer colour B, least squares in closed form. Where F and B hardly differ, or C is no mixture of them, it tends to
 /// what the label says (1 or 0); pixels that are what their label says are not listed.
+/// Not for glossy segments: at its rim a mirror shows what is beside it, so its colours tell no mixture.
 [[nodiscard]] std::vector<SilhouettePixel> findSilhouette(const ImageRgb& photo, const LabelImage& labels,
                                                           const ImageF& depth, std::uint16_t label,
                                                           const std::vector<std::uint8_t>& edited);

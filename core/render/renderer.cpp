@@ -317,6 +317,12 @@ void Renderer::Impl::preparePixels(SegmentState& state) {
 }
 
 void Renderer::Impl::prepareSilhouette(SegmentState& state) {
+    // At its rim a mirror shows what is beside it, so its colours tell no mixture.
+    if (scene.findSegment(state.label)->glossy) {
+        state.silhouette = silhouette.upload({});
+        state.silhouetteGroup = {};
+        return;
+    }
     state.silhouette = silhouette.upload(core::findSilhouette(
         scene.photo->color, scene.photo->labels, analysis->front->depth, state.label, core::editedLabels(shading)));
     state.silhouetteGroup = {};

@@ -50,6 +50,7 @@ core::Image<std::uint8_t> dilatedMask(const core::LabelImage& labels, std::uint1
 
 /// The picture as it would be if the edit stopped at the label: what the outline's mixed pixels were made of, undone.
 core::ImageRgb stoppedAtLabel(const core::Scene& scene, const Edit& edit, const core::ImageRgb& picture) {
+    if (scene.findSegment(edit.label)->glossy) return picture;
     std::vector<std::uint8_t> edited(std::size_t{edit.label} + 1, 0);
     edited[edit.label] = 1;
     core::ImageRgb result = picture;
