@@ -8,6 +8,11 @@
 
 namespace core {
 
+struct MarchRay {
+    Vector3f origin{0, 0, 0};     ///< [m], camera frame
+    Vector3f direction{0, 0, 0};  ///< unit length
+};
+
 /// Min/max pyramid over depth layers: the hits of `march`, from a few cells per ray instead of every pixel under it
 /// (Tevs et al. 2008, "Maximum mipmaps"). The CPU twin of shaders/lib/march.glsl; immutable, for any number of threads.
 class MarchPyramid {

@@ -134,6 +134,8 @@ std::shared_ptr<const Analysis> AnalysisPipeline::run(const Scene& scene, const 
     cache.setInput(Item::UserBackDepth, scene.backDepth, addImage);
     cache.setInput(Item::UserEnvironment, scene.environment.image, addImage);
 
+    // Keys say what a result is made from, not who computes it: the kernels of the context are twins that agree within
+    // rounding (core/analysis_kernels.h), so a result of one stays valid when the next run is given another.
     Board& board = cache.board;
     board.scene = &scene;
     for (const Step& step : analysisSteps()) {

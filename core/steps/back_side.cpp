@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/analysis_kernels.h"
 #include "core/parallel.h"
 #include "core/steps/flat_faces.h"
 #include "core/steps/spanned_mirror.h"
@@ -225,15 +226,15 @@ BackLayer inventBackSide(const Camera& camera, const LabelImage& labels, const S
         }
     }
 
-    back.normal =
-        computeNormals(camera, back.depth, labels, Side::Back, relativeNoise, kName, context, kInventing, 1.0f);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            const Vector3f n = mirroredNormals(x, y).normalized();
-            if (n.dot(camera.pixelRay(x, y)) > 0.02f) back.normal(x, y) = n;
+            Vector3f& n = mirroredNormals(x, y);
+            n.normalize();
+            if (!(n.dot(camera.pixelRay(x, y)) > 0.02f)) n.setZero();
         }
     }
-    completeSurface(camera, back);
+    context.kernels().computeSurface({camera, labels, Side::Back, relativeNoise, &mirroredNormals}, back,
+                                     {context, kName, kInventing, 1.0f});
     return result;
 }
 

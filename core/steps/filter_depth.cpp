@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/analysis_kernels.h"
 #include "core/parallel.h"
 #include "core/steps/distant_pixels.h"
 #include "core/steps/flying_pixels.h"
@@ -17,25 +18,6 @@ namespace {
 
 constexpr const char* kName = "Filter depth";
 
-/// Colours as the eye compares them: 8-bit with a square root for the display's curve, red lowest.
-Image<std::uint32_t> encodeColor(const ImageRgb& color, const StepContext& context) {
-    Image<std::uint32_t> encoded(color.width(), color.height());
-    parallelFor(
-        context, kName, color.height(),
-        [&](int y) {
-            for (int x = 0; x < color.width(); ++x) {
-                const Vector3f& c = color(x, y);
-                std::uint32_t packed = 0;
-                for (int k = 2; k >= 0; --k)
-                    packed =
-                        packed << 8 | static_cast<std::uint32_t>(255 * std::sqrt(std::clamp(c[k], 0.0f, 1.0f)) + 0.5f);
-                encoded(x, y) = packed;
-            }
-        },
-        0.0f, 0.1f);
-    return encoded;
-}
-
 /// Squared distance of two encoded colours, [0, 3].
 float squaredDistance(std::uint32_t a, std::uint32_t b) {
     int sum = 0;
@@ -46,23 +28,19 @@ float squaredDistance(std::uint32_t a, std::uint32_t b) {
     return static_cast<float>(sum) * (1.0f / (255 * 255));
 }
 
-/// One pair of taps, (dx, dy) and (−dx, −dy) [px].
-struct Pair {
-    int dx, dy;
-    float weight;
-};
-using Kernel = std::array<Pair, 12>;
-
 /// 5×5 Gaussian with taps `step` apart, `sigma` in units of `step`; the centre's weight is 1.
-Kernel makeKernel(int step, float sigma) {
-    Kernel kernel{};
+FilterPass makePass(int step, float sigma, const NoiseCurve& range, float colorFactor) {
+    FilterPass pass;
     std::size_t count = 0;
     for (int dy = 0; dy <= 2; ++dy)
         for (int dx = -2; dx <= 2; ++dx)
             if (dy > 0 || dx > 0)
-                kernel[count++] = {dx * step, dy * step,
-                                   2 * std::exp(static_cast<float>(-dx * dx - dy * dy) / (2 * sigma * sigma))};
-    return kernel;
+                pass.pairs[count++] = {dx * step, dy * step,
+                                       2 * std::exp(static_cast<float>(-dx * dx - dy * dy) / (2 * sigma * sigma))};
+    pass.reach = 2 * step;
+    pass.range = range;
+    pass.colorFactor = colorFactor;
+    return pass;
 }
 
 /// Weight of a squared residual of depth in units of its range, after Geman and McClure: falls with the fourth power,
@@ -79,19 +57,16 @@ float biweight(float squared) {
 constexpr float kLimit = 2.18f;
 constexpr float kRange = 1.7f;  ///< of `robustWeight`, in σ of the Gaussian it stands for
 
-/// What one pass needs to know.
-struct Pass {
+/// A pass and the images it looks at.
+struct PassOverImage {
+    const FilterPass& pass;
     const ImageF& inverseDepth;
     const Image<std::uint32_t>& color;
     const LabelImage& labels;
-    Kernel kernel;
-    int reach;              ///< of the kernel [px]
-    NoiseCurve range;       ///< of a pair's residual [1/m]: at this one its weight is a quarter
-    float colorFactor = 0;  ///< 1 / (limit of colour differences)²
 
     [[nodiscard]] float filtered(int x, int y) const {
         const float w = inverseDepth(x, y);
-        const float limit = range.at(w);
+        const float limit = pass.range.at(w);
         if (w <= 0 || limit <= 0) return w;
         const float factor = 1 / (limit * limit);
         const std::uint16_t label = labels(x, y);
@@ -99,13 +74,14 @@ struct Pass {
         float sum = 0;
         float weight = 1;
         const std::ptrdiff_t width = inverseDepth.width();
+        const int reach = pass.reach;
         const bool inside =
             x >= reach && y >= reach && x + reach < inverseDepth.width() && y + reach < inverseDepth.height();
         const std::size_t here = inverseDepth.index(x, y);
         const float* const values = inverseDepth.data() + here;
         const std::uint16_t* const segments = labels.data() + here;
         const std::uint32_t* const colors = color.data() + here;
-        for (const Pair& pair : kernel) {
+        for (const FilterPass::Pair& pair : pass.pairs) {
             if (!inside &&
                 (!inverseDepth.contains(x + pair.dx, y + pair.dy) || !inverseDepth.contains(x - pair.dx, y - pair.dy)))
                 continue;
@@ -117,24 +93,13 @@ struct Pass {
             if (squared >= kFarthest || wa <= 0 || wb <= 0 || segments[a] != label || segments[-a] != label) continue;
             const float k =
                 pair.weight * robustWeight(squared) *
-                biweight((squaredDistance(colors[a], center) + squaredDistance(colors[-a], center)) * colorFactor);
+                biweight((squaredDistance(colors[a], center) + squaredDistance(colors[-a], center)) * pass.colorFactor);
             sum += k * residual;
             weight += k;
         }
         return w + sum / weight;
     }
 };
-
-ImageF run(const Pass& pass, const StepContext& context, float from, float to) {
-    ImageF result(pass.inverseDepth.width(), pass.inverseDepth.height());
-    parallelFor(
-        context, kName, result.height(),
-        [&](int y) {
-            for (int x = 0; x < result.width(); ++x) result(x, y) = pass.filtered(x, y);
-        },
-        from, to);
-    return result;
-}
 
 NoiseCurve scaled(NoiseCurve curve, float factor) {
     for (float& sigma : curve.sigma) sigma *= factor;
@@ -145,8 +110,15 @@ constexpr int kMaxPasses = 5;
 constexpr float kLeastNoise = 2e-6f;  ///< of depth that was filtered: it is not exact, however smooth
 constexpr float kAutomaticColorSigma = 0.25f;
 
-ImageF filterAutomatically(ImageF w, const Image<std::uint32_t>& color, const LabelImage& labels, const Camera& camera,
-                           const DepthNoise& noise, float pixelsPerSample, const StepContext& context) {
+/// Progress of pass `k`.
+StepPart partOf(int k, const StepContext& context) {
+    const float from = 0.1f + 0.18f * static_cast<float>(k);
+    return {context, kName, from, from + 0.18f};
+}
+
+ImageF filterAutomatically(ImageF w, AnalysisKernels::DepthFilter& filter, const LabelImage& labels,
+                           const Camera& camera, const DepthNoise& noise, float pixelsPerSample,
+                           const StepContext& context) {
     const float colorFactor = 1 / (kLimit * kLimit * kAutomaticColorSigma * kAutomaticColorSigma);
     const int base = std::max(1, static_cast<int>(std::lround(pixelsPerSample)));
     constexpr float kMinTilt = 0.02f;   // [rad], about a degree
@@ -171,15 +143,13 @@ ImageF filterAutomatically(ImageF w, const Image<std::uint32_t>& color, const La
         }
         tilt *= std::max(camera.fx, camera.fy) / static_cast<float>(step);
         if (tilt < kMinTilt && step > static_cast<int>(noise.correlationLength)) break;
-        const Pass pass{w, color, labels, makeKernel(step, 1.0f), 2 * step, scaled(left, kAllowance), colorFactor};
-        ImageF next = run(pass, context, 0.1f + 0.18f * static_cast<float>(k), 0.28f + 0.18f * static_cast<float>(k));
-        w = std::move(next);
+        w = filter.run(makePass(step, 1.0f, scaled(left, kAllowance), colorFactor), w, partOf(k, context));
     }
     return w;
 }
 
-ImageF filterByHand(ImageF w, const Image<std::uint32_t>& color, const LabelImage& labels,
-                    const DepthFilterParams& params, const StepContext& context) {
+ImageF filterByHand(ImageF w, AnalysisKernels::DepthFilter& filter, const DepthFilterParams& params,
+                    const StepContext& context) {
     const float colorSigma = std::max(params.colorSigma, 1e-4f);
     NoiseCurve range;
     range.cellsPerUnit = 1;  // σ(1/z) = σ(z)/z · 1/z
@@ -191,21 +161,43 @@ ImageF filterByHand(ImageF w, const Image<std::uint32_t>& color, const LabelImag
     while (variance < params.spatialSigma * params.spatialSigma && passes < kMaxPasses)
         variance += static_cast<float>(1 << (2 * passes++));
     const float sigma = std::min(params.spatialSigma / std::sqrt(variance), 1.5f);
-    for (int k = 0; k < passes; ++k) {
-        const Pass pass{w,
-                        color,
-                        labels,
-                        makeKernel(1 << k, sigma),
-                        2 << k,
-                        range,
-                        1 / (kLimit * kLimit * colorSigma * colorSigma)};
-        ImageF next = run(pass, context, 0.1f + 0.18f * static_cast<float>(k), 0.28f + 0.18f * static_cast<float>(k));
-        w = std::move(next);
-    }
+    const float colorFactor = 1 / (kLimit * kLimit * colorSigma * colorSigma);
+    for (int k = 0; k < passes; ++k) w = filter.run(makePass(1 << k, sigma, range, colorFactor), w, partOf(k, context));
     return w;
 }
 
 }  // namespace
+
+Image<std::uint32_t> encodeColor(const ImageRgb& color, const StepPart& part) {
+    Image<std::uint32_t> encoded(color.width(), color.height());
+    parallelFor(
+        part.context, part.step, color.height(),
+        [&](int y) {
+            for (int x = 0; x < color.width(); ++x) {
+                const Vector3f& c = color(x, y);
+                std::uint32_t packed = 0;
+                for (int k = 2; k >= 0; --k)
+                    packed =
+                        packed << 8 | static_cast<std::uint32_t>(255 * std::sqrt(std::clamp(c[k], 0.0f, 1.0f)) + 0.5f);
+                encoded(x, y) = packed;
+            }
+        },
+        part.from, part.to);
+    return encoded;
+}
+
+ImageF runFilterPass(const FilterPass& pass, const ImageF& inverseDepth, const Image<std::uint32_t>& color,
+                     const LabelImage& labels, const StepPart& part) {
+    ImageF result(inverseDepth.width(), inverseDepth.height());
+    const PassOverImage filter{pass, inverseDepth, color, labels};
+    parallelFor(
+        part.context, part.step, result.height(),
+        [&](int y) {
+            for (int x = 0; x < result.width(); ++x) result(x, y) = filter.filtered(x, y);
+        },
+        part.from, part.to);
+    return result;
+}
 
 ImageF filterDepth(const ImageF& depth, const ImageRgb& color, const LabelImage& labels, const Camera& camera,
                    const DepthFilterParams& params, const DepthNoise& noise, float pixelsPerSample,
@@ -213,10 +205,11 @@ ImageF filterDepth(const ImageF& depth, const ImageRgb& color, const LabelImage&
     if (!params.enabled) return depth;
     const bool nothing = params.automatic ? noise.relative <= 0 : params.spatialSigma <= 0 || params.depthSigma <= 0;
     if (nothing) return depth;
-    const Image<std::uint32_t> encoded = encodeColor(color, context);
+    const Image<std::uint32_t> encoded = encodeColor(color, {context, kName, 0.0f, 0.1f});
+    const auto filter = context.kernels().depthFilter(encoded, labels);
     ImageF w = inverseOf(depth);
-    w = params.automatic ? filterAutomatically(std::move(w), encoded, labels, camera, noise, pixelsPerSample, context)
-                         : filterByHand(std::move(w), encoded, labels, params, context);
+    w = params.automatic ? filterAutomatically(std::move(w), *filter, labels, camera, noise, pixelsPerSample, context)
+                         : filterByHand(std::move(w), *filter, params, context);
     for (std::size_t i = 0; i < w.size(); ++i) w[i] = depth[i] > 0 ? 1 / w[i] : 0.0f;
     return w;
 }

@@ -1,11 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "core/scene.h"
+#include "core/step_context.h"
 #include "core/steps/depth_noise.h"
 #include "core/steps/step.h"
 
 namespace core::steps {
+
+/// Colours as the eye compares them: 8-bit with a square root for the display's curve, red lowest.
+[[nodiscard]] Image<std::uint32_t> encodeColor(const ImageRgb& color, const StepPart& part);
+
+/// One pass of `filterDepth`.
+struct FilterPass {
+    /// One pair of taps, (dx, dy) and (−dx, −dy) [px].
+    struct Pair {
+        int dx, dy;
+        float weight;  ///< relative to the centre's
+    };
+    std::array<Pair, 12> pairs{};
+    int reach = 0;          ///< of the kernel [px]
+    NoiseCurve range;       ///< of a pair's residual [1/m]: at this one its weight is a quarter
+    float colorFactor = 0;  ///< 1 / (limit of colour differences)²
+};
+
+/// The filtered image of inverse depth [1/m], 0 = none, on the CPU.
+[[nodiscard]] ImageF runFilterPass(const FilterPass& pass, const ImageF& inverseDepth,
+                                   const Image<std::uint32_t>& color, const LabelImage& labels, const StepPart& part);
 
 /// Edge-avoiding à-trous filter of inverse depth ([DSHL10]): passes of a 5×5 kernel whose taps lie 1, 2, 4, ... pixels
 /// apart, so that wide kernels cost little. Taps come in pairs opposite each other about the centre: planes are linear

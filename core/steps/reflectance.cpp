@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/analysis_kernels.h"
 #include "core/luminance.h"
 #include "core/parallel.h"
 #include "core/steps/distant_pixels.h"
@@ -52,9 +53,9 @@ struct Tracer {
     /// Bit c: the camera clipped channel c of a pixel.
     [[nodiscard]] unsigned clipped(int x, int y) const { return clippedChannels(*scene.photo, x, y); }
 
-    [[nodiscard]] Ending trace(const MarchPyramid& pyramid, const Vector3f& origin, const Vector3f& direction,
-                               std::uint16_t label) const {
-        const auto hit = pyramid.march(origin, direction);
+    /// What a ray in `direction` sees that was found to end at `hit`.
+    [[nodiscard]] Ending endingOf(const std::optional<MarchHit>& hit, const Vector3f& direction,
+                                  std::uint16_t label) const {
         if (!hit) {
             if (const auto color = distantColor(*scene.photo, distant, direction))
                 return {Ending::Distant, direction, *color};
@@ -176,30 +177,47 @@ float sharpness(const LabelImage& labels, const Surface& front, const Mirror& mi
     return 1 / (1 + texels * texels);
 }
 
-/// What the lobe of one pixel meets, ring by ring. What misses everything is taken from `sky`, L_S/ρ of the segment.
-LobeProbe probeLobe(const Tracer& tracer, const MarchPyramid& pyramid, const Mirror& mirror, std::uint16_t label,
-                    const DirectionalMap& sky) {
-    const Vector3f& n = tracer.front.normal(mirror.x, mirror.y);
-    const Vector3f view = tracer.front.position(mirror.x, mirror.y).normalized();
+/// Rays of one probe: one along the mirrored direction, then ring by ring.
+constexpr std::size_t kProbeRays = 1 + std::size_t{kLobeRings} * kRaysPerRing;
+
+/// The rays of one pixel's lobe; no ray (direction zero) where its lobe reaches below the horizon.
+void aimProbe(const Surface& front, const Mirror& mirror, std::span<MarchRay> rays) {
+    const Vector3f& n = front.normal(mirror.x, mirror.y);
+    const Vector3f view = front.position(mirror.x, mirror.y).normalized();
     const Vector3f tangent = n.unitOrthogonal();
     const Vector3f bitangent = n.cross(tangent);
-    LobeProbe probe;
-    probe.color = tracer.front.color(mirror.x, mirror.y);
+    std::size_t next = 0;
     for (int ring = 0; ring <= kLobeRings; ++ring) {
-        const auto k = static_cast<std::size_t>(ring);
-        const int rays = ring == 0 ? 1 : kRaysPerRing;
-        float known = 0;
-        for (int j = 0; j < rays; ++j) {
+        for (int j = 0; j < (ring == 0 ? 1 : kRaysPerRing); ++j) {
             const float phi = 2 * std::numbers::pi_v<float> *
                               (static_cast<float>(j) + 0.37f * static_cast<float>(ring)) / kRaysPerRing;
             const Vector3f half =
                 (n + ringTangent(ring) * (std::cos(phi) * tangent + std::sin(phi) * bitangent)).normalized();
             const Vector3f direction = view - 2 * view.dot(half) * half;
-            if (direction.dot(n) <= 0) {
+            if (direction.dot(n) > 0) rays[next] = {mirror.origin, direction};
+            ++next;
+        }
+    }
+}
+
+/// What the lobe of one pixel meets, ring by ring. What misses everything is taken from `sky`, L_S/ρ of the segment.
+LobeProbe readProbe(const Tracer& tracer, const Mirror& mirror, std::span<const MarchRay> rays,
+                    std::span<const std::optional<MarchHit>> hits, std::uint16_t label, const DirectionalMap& sky) {
+    LobeProbe probe;
+    probe.color = tracer.front.color(mirror.x, mirror.y);
+    std::size_t next = 0;
+    for (int ring = 0; ring <= kLobeRings; ++ring) {
+        const auto k = static_cast<std::size_t>(ring);
+        const int count = ring == 0 ? 1 : kRaysPerRing;
+        float known = 0;
+        for (int j = 0; j < count; ++j) {
+            const std::size_t i = next++;
+            const Vector3f& direction = rays[i].direction;
+            if (direction.isZero(0)) {
                 known += 1;  // below the horizon: no light comes from there
                 continue;
             }
-            const Ending ending = tracer.trace(pyramid, mirror.origin, direction, label);
+            const Ending ending = tracer.endingOf(hits[i], direction, label);
             if (ending.kind == Ending::Known || ending.kind == Ending::Distant) {
                 probe.incident[k] += ending.color;
                 known += 1;
@@ -214,14 +232,14 @@ LobeProbe probeLobe(const Tracer& tracer, const MarchPyramid& pyramid, const Mir
             }
         }
         if (known > 0) probe.incident[k] /= known;
-        probe.known[k] = known / static_cast<float>(rays);
+        probe.known[k] = known / static_cast<float>(count);
     }
     return probe;
 }
 
-std::optional<LobeFit> probeAndFit(const Tracer& tracer, const MarchPyramid& pyramid, std::span<const Mirror> mirrors,
-                                   std::uint16_t label, const DirectionalMap& missed, const Vector3f& rho,
-                                   const StepContext& context, float from, float to) {
+std::optional<LobeFit> probeAndFit(const Tracer& tracer, AnalysisKernels::RayMarcher& marcher,
+                                   std::span<const Mirror> mirrors, std::uint16_t label, const DirectionalMap& missed,
+                                   const Vector3f& rho, const StepPart& part) {
     std::vector<const Mirror*> candidates;
     for (const Mirror& mirror : mirrors)
         if (mirror.ending.kind == Ending::Known && tracer.clipped(mirror.x, mirror.y) == 0)
@@ -230,23 +248,22 @@ std::optional<LobeFit> probeAndFit(const Tracer& tracer, const MarchPyramid& pyr
     if (count == 0) return std::nullopt;
     DirectionalMap sky = missed;
     for (Vector3f& value : sky.radiance.pixels()) value = value.cwiseQuotient(rho.cwiseMax(kMinRho));
-    std::vector<LobeProbe> probes(count);
-    constexpr int kChunk = 16;
-    parallelFor(
-        context, kName, static_cast<int>((count + kChunk - 1) / kChunk),
-        [&](int chunk) {
-            const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
-            for (std::size_t i = begin; i < std::min(count, begin + kChunk); ++i)
-                probes[i] = probeLobe(tracer, pyramid, *candidates[i * candidates.size() / count], label, sky);
-        },
-        from, to);
+    const auto mirrorOf = [&](std::size_t i) -> const Mirror& { return *candidates[i * candidates.size() / count]; };
+    std::vector<MarchRay> rays(count * kProbeRays);
+    for (std::size_t i = 0; i < count; ++i)
+        aimProbe(tracer.front, mirrorOf(i), std::span(rays).subspan(i * kProbeRays, kProbeRays));
+    const auto hits = marcher.march(rays, 0, part);
+    std::vector<LobeProbe> probes;
+    for (std::size_t i = 0; i < count; ++i)
+        probes.push_back(readProbe(tracer, mirrorOf(i), std::span(rays).subspan(i * kProbeRays, kProbeRays),
+                                   std::span(hits).subspan(i * kProbeRays, kProbeRays), label, sky));
     return fitLobe(probes);
 }
 
 }  // namespace
 
 SegmentReflections estimateReflectance(const Scene& scene, const Surface& front, const Surface& back,
-                                       const MarchPyramid& pyramid, const Image<std::uint8_t>& distant,
+                                       AnalysisKernels::RayMarcher& marcher, const Image<std::uint8_t>& distant,
                                        std::uint16_t label, const StepContext& context, float from, float to) {
     const Photo& photo = *scene.photo;
     const Camera& camera = photo.camera;
@@ -288,26 +305,40 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
         const auto& used = interior.empty() ? pixels : interior;
         const std::size_t stride = used.size() / kMaxPixels + 1;
         mirrors.resize(used.size() / stride);
-        constexpr int kChunk = 512;
-        std::vector<float> weights(mirrors.size(), 1.0f);
-        parallelFor(
-            context, kName, static_cast<int>((mirrors.size() + kChunk - 1) / kChunk),
-            [&](int chunk) {
-                const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
-                for (std::size_t i = begin; i < std::min(mirrors.size(), begin + kChunk); ++i) {
-                    Mirror& mirror = mirrors[i];
-                    mirror.x = used[i * stride][0];
-                    mirror.y = used[i * stride][1];
-                    const auto direction = mirroredDirection(front, mirror.x, mirror.y);
-                    if (!direction) continue;
-                    mirror.direction = *direction;
-                    const Vector3f& p = front.position(mirror.x, mirror.y);
-                    mirror.origin = p + marchBias(camera, p.z()) * front.normal(mirror.x, mirror.y);
-                    mirror.ending = tracer.trace(pyramid, mirror.origin, mirror.direction, label);
-                    weights[i] = sharpness(photo.labels, front, mirror, texelAngle);
-                }
+        constexpr std::size_t kChunk = 512;
+        const auto forEachMirror = [&](const auto& visit, float begin, float end) {
+            parallelFor(
+                context, kName, static_cast<int>((mirrors.size() + kChunk - 1) / kChunk),
+                [&](int chunk) {
+                    const std::size_t first = static_cast<std::size_t>(chunk) * kChunk;
+                    for (std::size_t i = first; i < std::min(mirrors.size(), first + kChunk); ++i) visit(i);
+                },
+                part(begin), part(end));
+        };
+        std::vector<MarchRay> mirrored(mirrors.size());
+        forEachMirror(
+            [&](std::size_t i) {
+                Mirror& mirror = mirrors[i];
+                mirror.x = used[i * stride][0];
+                mirror.y = used[i * stride][1];
+                const auto direction = mirroredDirection(front, mirror.x, mirror.y);
+                if (!direction) return;
+                mirror.direction = *direction;
+                const Vector3f& p = front.position(mirror.x, mirror.y);
+                mirror.origin = p + marchBias(camera, p.z()) * front.normal(mirror.x, mirror.y);
+                mirrored[i] = {mirror.origin, mirror.direction};
             },
-            part(0), part(0.4f));
+            0, 0.05f);
+        const auto hits = marcher.march(mirrored, 0, {context, kName, part(0.05f), part(0.35f)});
+        std::vector<float> weights(mirrors.size(), 1.0f);
+        forEachMirror(
+            [&](std::size_t i) {
+                Mirror& mirror = mirrors[i];
+                if (mirror.direction.isZero(0)) return;
+                mirror.ending = tracer.endingOf(hits[i], mirror.direction, label);
+                weights[i] = sharpness(photo.labels, front, mirror, texelAngle);
+            },
+            0.35f, 0.4f);
         for (std::size_t i = 0; i < mirrors.size(); ++i) {
             const Mirror& mirror = mirrors[i];
             const Ending& ending = mirror.ending;
@@ -324,18 +355,12 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
         }
 
         // What arrives at the centre, with the segment itself taken away.
-        const MarchPyramid others(pyramid.layers(), label);
-        std::vector<Ending> rays(kIncidentRays);
-        const Vector3f origin = center.cast<float>();
-        parallelFor(
-            context, kName, kIncidentRays / kChunk,
-            [&](int chunk) {
-                for (int i = chunk * kChunk; i < (chunk + 1) * kChunk; ++i)
-                    rays[static_cast<std::size_t>(i)] =
-                        tracer.trace(others, origin, fibonacciDirection(i, kIncidentRays), label);
-            },
-            part(0.4f), part(0.6f));
-        for (const Ending& ray : rays) {
+        std::vector<MarchRay> rays;
+        for (int i = 0; i < kIncidentRays; ++i)
+            rays.push_back({center.cast<float>(), fibonacciDirection(i, kIncidentRays)});
+        const auto ends = marcher.march(rays, label, {context, kName, part(0.4f), part(0.6f)});
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const Ending ray = tracer.endingOf(ends[i], rays[i].direction, label);
             if (ray.kind == Ending::Known || ray.kind == Ending::Distant) incident.add(ray.direction, ray.color);
             if (ray.kind == Ending::Guessed) guessedIncident.add(ray.direction, ray.color);
         }
@@ -351,8 +376,8 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
     estimate.reliable = better.solidAngle >= kMinCommonSolidAngle;
     estimate.rho = better.rho;
     if (estimate.reliable) {
-        const auto fit =
-            probeAndFit(tracer, pyramid, mirrors, label, result.missed, better.rho, context, part(0.6f), part(0.8f));
+        const auto fit = probeAndFit(tracer, marcher, mirrors, label, result.missed, better.rho,
+                                     {context, kName, part(0.6f), part(0.8f)});
         if (fit && fit->reliable) {
             estimate.alpha = fit->alpha;
             estimate.alphaReliable = true;
@@ -411,7 +436,7 @@ Step reflectanceStep() {
         hash.add(board.layersKey).add(scene.environment.height).add(scene.environment.fill);
         for (const Segment* segment : glossy) hash.add(segment->label);
 
-        const MarchPyramid pyramid(*board.layers);
+        const auto marcher = context.kernels().rayMarcher(*board.layers);
         std::vector<std::shared_ptr<const Reflectance>> results;
         std::vector<std::shared_ptr<const SegmentReflections>> reflections;
         for (std::size_t i = 0; i < glossy.size(); ++i) {
@@ -420,7 +445,7 @@ Step reflectanceStep() {
             if (!cached.reflections || cached.key != hash.value()) {
                 const auto count = static_cast<float>(glossy.size());
                 cached.reflections = std::make_shared<SegmentReflections>(
-                    estimateReflectance(scene, *board.front, board.back->surface, pyramid, board.depth->distant, label,
+                    estimateReflectance(scene, *board.front, board.back->surface, *marcher, board.depth->distant, label,
                                         context, static_cast<float>(i) / count, static_cast<float>(i + 1) / count));
                 cached.key = hash.value();
             }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/march.h"
+#include "core/analysis_kernels.h"
 #include "core/steps/fill_directions.h"
 #include "core/steps/step.h"
 
@@ -37,9 +37,9 @@ struct SegmentReflections {
 /// `reliable` is false when no source covers `kMinCommonSolidAngle`, then ρ is the ratio of the filled maps' means; and
 /// when the segment shows clearly more light than it mirrors: then it is not (only) a mirror.
 [[nodiscard]] SegmentReflections estimateReflectance(const Scene& scene, const Surface& front, const Surface& back,
-                                                     const MarchPyramid& pyramid, const Image<std::uint8_t>& distant,
-                                                     std::uint16_t label, const StepContext& context, float from,
-                                                     float to);
+                                                     AnalysisKernels::RayMarcher& marcher,
+                                                     const Image<std::uint8_t>& distant, std::uint16_t label,
+                                                     const StepContext& context, float from, float to);
 
 inline constexpr float kMinCommonSolidAngle = 0.02f;  ///< [sr]
 

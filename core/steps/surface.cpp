@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/analysis_kernels.h"
 #include "core/parallel.h"
 
 namespace core::steps {
@@ -39,35 +40,12 @@ std::optional<float> contourSlope(float first, float second, float third) {
 /// Fit of one pixel's plane. Plain arithmetic on arrays, the same on every device.
 struct NormalFit {
     static constexpr int kMaxTaps = 25;
-    struct Tap {
-        int dx, dy;          ///< [px]
-        float weight;        ///< by distance
-        float inverseLimit;  ///< 1 / residual relative to the centre that no longer counts
-    };
 
     const Camera& camera;
     const ImageF& depth;
     const LabelImage& labels;
     float relativeNoise;
-    int radius = 1;  ///< of the window [px]
-    int tapCount = 0;
-    Tap taps[kMaxTaps];
-
-    NormalFit(const Camera& c, const ImageF& z, const LabelImage& l, float noise)
-        : camera(c), depth(z), labels(l), relativeNoise(noise) {
-        // Detail of exact depth is true; of what was measured it is what the filter left of the noise.
-        if (relativeNoise > 0) radius = 2;
-        const float footprint = 1 / std::min(camera.fx, camera.fy);
-        constexpr float kLimit = 1.54f;  // biweight that is close to exp(−r²)
-        for (int dy = -radius; dy <= radius; ++dy) {
-            for (int dx = -radius; dx <= radius; ++dx) {
-                const auto squared = static_cast<float>(dx * dx + dy * dy);
-                const float tolerance = 3 * relativeNoise + footprint * std::sqrt(squared) + 1e-7f;
-                taps[tapCount++] = {dx, dy, std::exp(-squared / static_cast<float>(2 * radius * radius)),
-                                    1 / (kLimit * tolerance)};
-            }
-        }
-    }
+    std::vector<NormalTap> taps;
 
     /// Inverse depth of a pixel of the segment, 0 if there is none.
     [[nodiscard]] float inverseDepth(int x, int y, std::uint16_t label) const {
@@ -119,14 +97,14 @@ struct NormalFit {
         float gu = guessSlope(x, y, 1, 0, label, w);
         float gv = guessSlope(x, y, 0, 1, label, w);
         float difference[kMaxTaps];
-        for (int i = 0; i < tapCount; ++i) {
+        for (std::size_t i = 0; i < taps.size(); ++i) {
             const float value = inverseDepth(x + taps[i].dx, y + taps[i].dy, label);
             difference[i] = value > 0 ? value - w : kNothing;
         }
         const float inverseW = 1 / w;
         for (int iteration = 0; iteration < 2; ++iteration) {
             float s = 0, su = 0, sv = 0, suu = 0, suv = 0, svv = 0, sw = 0, suw = 0, svw = 0;
-            for (int i = 0; i < tapCount; ++i) {
+            for (std::size_t i = 0; i < taps.size(); ++i) {
                 const auto u = static_cast<float>(taps[i].dx);
                 const auto v = static_cast<float>(taps[i].dy);
                 const float residual = (difference[i] - (offset + gu * u + gv * v)) * inverseW * taps[i].inverseLimit;
@@ -173,19 +151,21 @@ struct NormalFit {
 
 }  // namespace
 
-ImageV3 computeNormals(const Camera& camera, const ImageF& depth, const LabelImage& labels, Side side,
-                       float relativeNoise, const char* stepName, const StepContext& context, float from, float to) {
-    ImageV3 normals(depth.width(), depth.height(), Vector3f::Zero());
-    const NormalFit fit(camera, depth, labels, relativeNoise);
-    const float sign = side == Side::Front ? -1.0f : 1.0f;
-    parallelFor(
-        context, stepName, depth.height(),
-        [&](int y) {
-            for (int x = 0; x < depth.width(); ++x)
-                if (depth(x, y) > 0) normals(x, y) = sign * fit.fit(x, y).normalized();
-        },
-        from, to);
-    return normals;
+std::vector<NormalTap> normalTaps(const Camera& camera, float relativeNoise) {
+    // Detail of exact depth is true; of what was measured it is what the filter left of the noise.
+    const int radius = relativeNoise > 0 ? 2 : 1;
+    const float footprint = 1 / std::min(camera.fx, camera.fy);
+    constexpr float kLimit = 1.54f;  // biweight that is close to exp(−r²)
+    std::vector<NormalTap> taps;
+    for (int dy = -radius; dy <= radius; ++dy) {
+        for (int dx = -radius; dx <= radius; ++dx) {
+            const auto squared = static_cast<float>(dx * dx + dy * dy);
+            const float tolerance = 3 * relativeNoise + footprint * std::sqrt(squared) + 1e-7f;
+            taps.push_back(
+                {dx, dy, std::exp(-squared / static_cast<float>(2 * radius * radius)), 1 / (kLimit * tolerance)});
+        }
+    }
+    return taps;
 }
 
 float patchArea(const Camera& camera, const Vector3f& position, const Vector3f& normal) {
@@ -194,18 +174,27 @@ float patchArea(const Camera& camera, const Vector3f& position, const Vector3f& 
     return cosine > 0 ? z * z * z / (camera.fx * camera.fy * cosine) : 0.0f;
 }
 
-void completeSurface(const Camera& camera, Surface& surface) {
+void computeSurface(const SurfaceInput& input, Surface& surface, const StepPart& part) {
     const int width = surface.depth.width();
     const int height = surface.depth.height();
+    surface.normal = ImageV3(width, height, Vector3f::Zero());
     surface.position = ImageV3(width, height, Vector3f::Zero());
     surface.area = ImageF(width, height, 0.0f);
-    for (int y = 0; y < height; ++y) {
+    const NormalFit fit{input.camera, surface.depth, input.labels, input.relativeNoise,
+                        normalTaps(input.camera, input.relativeNoise)};
+    const float sign = input.side == Side::Front ? -1.0f : 1.0f;
+    const auto computeRow = [&](int y) {
         for (int x = 0; x < width; ++x) {
-            if (surface.depth(x, y) <= 0) continue;
-            surface.position(x, y) = camera.backProject(x, y, surface.depth(x, y));
-            surface.area(x, y) = patchArea(camera, surface.position(x, y), surface.normal(x, y));
+            if (!(surface.depth(x, y) > 0)) continue;
+            const bool known = input.known != nullptr && !(*input.known)(x, y).isZero(0);
+            const Vector3f normal = known ? (*input.known)(x, y) : Vector3f(sign * fit.fit(x, y).normalized());
+            const Vector3f position = input.camera.backProject(x, y, surface.depth(x, y));
+            surface.normal(x, y) = normal;
+            surface.position(x, y) = position;
+            surface.area(x, y) = patchArea(input.camera, position, normal);
         }
-    }
+    };
+    parallelFor(part.context, part.step, height, computeRow, part.from, part.to);
 }
 
 Step surfaceStep() {
@@ -219,9 +208,8 @@ Step surfaceStep() {
         auto surface = std::make_shared<Surface>();
         surface->depth = board.depth->depth;
         surface->color = photo.color;
-        surface->normal = computeNormals(photo.camera, surface->depth, photo.labels, Side::Front,
-                                         board.depth->relativeNoise, kName, context);
-        completeSurface(photo.camera, *surface);
+        context.kernels().computeSurface({photo.camera, photo.labels, Side::Front, board.depth->relativeNoise},
+                                         *surface, {context, kName});
         board.front = std::move(surface);
     };
     return step;

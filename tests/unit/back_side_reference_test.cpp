@@ -57,9 +57,8 @@ TEST_P(BackSideReference, AutomaticIsNearTheBestMethod) {
     const core::Camera camera{depth.width(), depth.height(), json["fx"], json["fy"], json["cx"], json["cy"]};
     core::Surface front;
     front.depth = depth;
-    front.normal = core::steps::computeNormals(camera, depth, labels, core::steps::Side::Front, 0, "Surface", {});
     front.color = core::ImageRgb(depth.width(), depth.height());
-    core::steps::completeSurface(camera, front);
+    core::steps::computeSurface({camera, labels}, front, {{}, "Surface"});
 
     std::vector<core::Segment> segments;
     for (const auto& entry : json["segments"]) {

@@ -23,7 +23,10 @@ float degreesBetween(const Vector3f& a, const Vector3f& b) {
 }
 
 ImageV3 normalsOf(const core::Photo& photo, const ImageF& depth, Side side = Side::Front, float noise = 0) {
-    return core::steps::computeNormals(photo.camera, depth, photo.labels, side, noise, "test", {});
+    core::Surface surface;
+    surface.depth = depth;
+    core::steps::computeSurface({photo.camera, photo.labels, side, noise}, surface, {{}, "test"});
+    return surface.normal;
 }
 
 test::RayScene tiltedSquare(double angle, double half) {
@@ -53,8 +56,7 @@ double totalArea(const core::Surface& surface) {
 core::Surface surfaceOf(const core::Photo& photo) {
     core::Surface surface;
     surface.depth = photo.depth;
-    surface.normal = normalsOf(photo, photo.depth);
-    core::steps::completeSurface(photo.camera, surface);
+    core::steps::computeSurface({photo.camera, photo.labels}, surface, {{}, "test"});
     return surface;
 }
 
