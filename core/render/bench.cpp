@@ -19,6 +19,7 @@
 #include "core/luminance.h"
 #include "core/pipeline.h"
 #include "core/render/bench_embree.h"
+#include "core/render/gpu_analysis_kernels.h"
 #include "core/render/march_rays.h"
 #include "core/render/renderer.h"
 #include "core/render/scene_geometry.h"
@@ -51,6 +52,8 @@ struct Bench {
     void quality();
     void translucency();
     void analyse();
+    /// Seconds per stage and "total".
+    [[nodiscard]] std::map<std::string, double> analysisSeconds(core::AnalysisKernels& kernels) const;
 
     [[nodiscard]] core::DepthLayers layers() const {
         if (analysis->layers) return *analysis->layers;
@@ -306,32 +309,55 @@ void Bench::translucency() {
     add("translucency", "brute_seconds.10k", renderSeconds(renderer, false, 0.1), "s");
 }
 
-void Bench::analyse() {
+std::map<std::string, double> Bench::analysisSeconds(core::AnalysisKernels& kernels) const {
     static const std::map<std::string, std::string, std::less<>> kMetrics = {
         {"Filter depth", "filter"},   {"Surface", "geometry"},        {"Back side", "backside"},
         {"Depth layers", "geometry"}, {"Reflectance", "reflectance"}, {"Environment", "environment"}};
     std::map<std::string, double> seconds;
     auto last = Clock::now();
     std::mutex mutex;  // reports come from any thread
-    const core::StepContext timed([&](std::string_view step, float fraction) {
-        const auto now = Clock::now();
-        const std::lock_guard lock(mutex);
-        // Steps report when they begin and when they end; what lies between belongs to the step that reports.
-        const auto metric = kMetrics.find(step);
-        if (metric != kMetrics.end()) seconds[metric->second] += std::chrono::duration<double>(now - last).count();
-        last = now;
-        context.checkpoint(step, fraction);
-    });
+    const core::StepContext timed(
+        [&](std::string_view step, float fraction) {
+            const auto now = Clock::now();
+            const std::lock_guard lock(mutex);
+            // Steps report when they begin and when they end; what lies between belongs to the step that reports.
+            const auto metric = kMetrics.find(step);
+            if (metric != kMetrics.end()) seconds[metric->second] += std::chrono::duration<double>(now - last).count();
+            last = now;
+            context.checkpoint(step, fraction);
+        },
+        nullptr, &kernels);
     const auto start = Clock::now();
     core::AnalysisPipeline pipeline;
     (void)pipeline.run(scene, timed);
-    const double total = secondsSince(start);
-    for (const char* metric : {"filter", "geometry", "backside", "reflectance", "environment"})
-        add("analyse", std::string("seconds.") + metric, seconds[metric], "s");
-    add("analyse", "seconds.total", total, "s");
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    add("analyse", "peak_bytes", static_cast<double>(usage.ru_maxrss) * 1024, "B");
+    seconds["total"] = secondsSince(start);
+    return seconds;
+}
+
+void Bench::analyse() {
+    const auto addAll = [&](const std::string& prefix, const std::map<std::string, double>& seconds) {
+        for (const char* stage : {"filter", "geometry", "backside", "reflectance", "environment", "total"}) {
+            const auto found = seconds.find(stage);
+            add("analyse", prefix + stage, found == seconds.end() ? 0.0 : found->second, "s");
+        }
+    };
+    const auto peakBytes = [] {
+        rusage usage{};
+        getrusage(RUSAGE_SELF, &usage);
+        return static_cast<double>(usage.ru_maxrss) * 1024;
+    };
+    const bool onDevice = &context.kernels() != &core::cpuAnalysisKernels();
+    const std::map<std::string, double> cpu = analysisSeconds(core::cpuAnalysisKernels());
+    double peak = peakBytes();
+    GpuAnalysisKernels kernels(device);
+    (void)analysisSeconds(kernels);  // compiles what it uses
+    const std::map<std::string, double> gpu = analysisSeconds(kernels);
+    if (onDevice) peak = peakBytes();
+    addAll("seconds.", onDevice ? gpu : cpu);
+    add("analyse", "peak_bytes", peak, "B");
+    addAll("cpu_seconds.", cpu);
+    // Times of a device that gave up are the CPU's.
+    if (kernels.takeNotes().empty()) addAll("gpu_seconds.", gpu);
 }
 
 }  // namespace

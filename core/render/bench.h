@@ -24,8 +24,10 @@ struct BenchResult {
 [[nodiscard]] const std::vector<std::string>& benchmarkNames();
 
 /// Runs the named benchmarks (all of them when `names` is empty) on the device and returns their metrics (DESIGN 5).
-/// Metrics of algorithms this build does not have are absent. Throws core::Error(Usage) for an unknown name,
-/// Error(Input) when the scene has nothing to measure (no segment, no valid depth), Error(Cancelled) when stopped.
+/// Metrics of algorithms this build does not have are absent. `analyse` measures both twins: seconds.* is what the
+/// context's kernels take, cpu_seconds.* and gpu_seconds.* the CPU and the device. Throws core::Error(Usage) for an
+/// unknown name, Error(Input) when the scene has nothing to measure (no segment, no valid depth), Error(Cancelled) when
+/// stopped.
 [[nodiscard]] std::vector<BenchResult> runBenchmarks(const std::vector<std::string>& names, gpu::Device device,
                                                      const core::Scene& scene,
                                                      const std::shared_ptr<const core::Analysis>& analysis,

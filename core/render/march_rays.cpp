@@ -18,8 +18,8 @@ RayMarcher::RayMarcher(const gpu::Device& device, SceneGeometry& geometry) : dev
         makePipeline(device, "march_rays", march_rays_spv, {geometry.layout(), layout_}, sizeof(kernel::MarchBlock));
 }
 
-std::vector<RayHit> RayMarcher::march(const std::vector<Ray>& rays, MarchMethod method,
-                                      const ConstantStepParams& steps) {
+std::vector<RayHit> RayMarcher::march(std::span<const Ray> rays, MarchMethod method, const ConstantStepParams& steps,
+                                      float without) {
     if (rays.empty()) return {};
     std::vector<kernel::vec4> packed;
     packed.reserve(2 * rays.size());
@@ -40,7 +40,11 @@ std::vector<RayHit> RayMarcher::march(const std::vector<Ray>& rays, MarchMethod 
         .rayCount = static_cast<kernel::uint>(rays.size()),
         .method = method == MarchMethod::Pyramid ? kernel::uint{MARCH_PYRAMID} : kernel::uint{MARCH_CONSTANT},
         .stepSize = steps.stepSize,
-        .maxDistance = steps.maxDistance};
+        .maxDistance = steps.maxDistance,
+        .without = without,
+        .pad0 = 0,
+        .pad1 = 0,
+        .pad2 = 0};
 
     gpu::PassTimer timer(device_);
     const gpu::CommandEncoder encoder = device_.createCommandEncoder({.label = "march_rays"});

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "core/image.h"
+#include "core/march.h"
 #include "core/render/scene_geometry.h"
 #include "gpu/device.h"
 
 namespace render {
 
-struct Ray {
-    core::Vector3f origin;     ///< [m], camera frame
-    core::Vector3f direction;  ///< unit length
-};
+using Ray = core::MarchRay;
 
 struct RayHit {
     bool found = false;
@@ -29,16 +27,17 @@ struct ConstantStepParams {
     float maxDistance = 1;
 };
 
-/// Marches a list of rays through the scene on the device, for the benchmark and the tests; the renderer's kernels
-/// include the same text (shaders/lib/march.glsl).
+/// Marches a list of rays through the scene on the device, for the analysis, the benchmark and the tests; the
+/// renderer's kernels include the same text (shaders/lib/march.glsl).
 class RayMarcher {
   public:
     /// The geometry must be recorded already, and outlive the marcher.
     RayMarcher(const gpu::Device& device, SceneGeometry& geometry);
 
-    /// Blocks until the hits are there, in the order of the rays.
-    [[nodiscard]] std::vector<RayHit> march(const std::vector<Ray>& rays, MarchMethod method,
-                                            const ConstantStepParams& steps = {});
+    /// Blocks until the hits are there, in the order of the rays. A ray whose direction is zero hits nothing. Pixels
+    /// marked `without` (see SceneGeometry) count as empty for the pyramid; −1 = none.
+    [[nodiscard]] std::vector<RayHit> march(std::span<const Ray> rays, MarchMethod method,
+                                            const ConstantStepParams& steps = {}, float without = -1);
     /// Device time of the last call's kernel [s]; wall time when the device has no timestamps.
     [[nodiscard]] double seconds() const { return seconds_; }
 

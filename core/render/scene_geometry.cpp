@@ -81,16 +81,31 @@ void SceneGeometry::setLayers(const core::DepthLayers& layers, const core::Image
     CORE_ASSERT(layers.front.sameSize(photo) && layers.back.sameSize(photo) && layers.labels.sameSize(photo) &&
                     front.normal.sameSize(photo) && back.normal.sameSize(photo) && back.color.sameSize(photo),
                 "layers of one size");
-    const auto width = static_cast<std::uint32_t>(photo.width());
-    const auto height = static_cast<std::uint32_t>(photo.height());
+    uploadPatches(layers, markOf);
+    frontColor_ = upload("photo", width_, height_, texelsOf(photo));
+    backColor_ = upload("back colour", width_, height_, texelsOf(back.color));
+    frontNormal_ = upload("front normal", width_, height_, texelsOf(front.normal));
+    backNormal_ = upload("back normal", width_, height_, texelsOf(back.normal));
+}
+
+void SceneGeometry::setPatches(const core::DepthLayers& layers) {
+    uploadPatches(layers, [](std::uint16_t label) { return static_cast<float>(label); });
+    const gpu::Texture nothing = upload("no picture", 1, 1, std::vector<float>(4, 0.0f));
+    frontColor_ = backColor_ = frontNormal_ = backNormal_ = nothing;
+    setEnvironment(core::DirectionalMap());
+}
+
+void SceneGeometry::uploadPatches(const core::DepthLayers& layers, const std::function<float(std::uint16_t)>& markOf) {
+    const auto width = static_cast<std::uint32_t>(layers.front.width());
+    const auto height = static_cast<std::uint32_t>(layers.front.height());
     requireFits(width, height);
     camera_ = layers.camera;
     width_ = width;
     height_ = height;
 
-    std::vector<float> frontTexels(photo.size() * 4);
-    std::vector<float> backTexels(photo.size() * 4);
-    for (std::size_t i = 0; i < photo.size(); ++i) {
+    std::vector<float> frontTexels(layers.front.size() * 4);
+    std::vector<float> backTexels(layers.front.size() * 4);
+    for (std::size_t i = 0; i < layers.front.size(); ++i) {
         const core::DepthLayers::Patch& f = layers.front[i];
         const core::DepthLayers::Patch& b = layers.back[i];
         const float frontTexel[] = {f.w, f.gu, f.gv, markOf(layers.labels[i])};
@@ -100,11 +115,6 @@ void SceneGeometry::setLayers(const core::DepthLayers& layers, const core::Image
     }
     frontPatch_ = upload("front patch", width, height, frontTexels);
     backPatch_ = upload("back patch", width, height, backTexels);
-    frontColor_ = upload("photo", width, height, texelsOf(photo));
-    backColor_ = upload("back colour", width, height, texelsOf(back.color));
-    frontNormal_ = upload("front normal", width, height, texelsOf(front.normal));
-    backNormal_ = upload("back normal", width, height, texelsOf(back.normal));
-
     levels_ = pyramidLevels(width, height);
     const std::uint64_t cells = levels_.back().offset + 1;
     pyramid_ = device_.createBuffer({.label = "pyramid",

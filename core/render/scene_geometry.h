@@ -34,6 +34,8 @@ class SceneGeometry {
 
     /// Throws gpu::Error(OutOfMemory) when a picture of this size is larger than the device allows.
     void requireFits(std::uint32_t width, std::uint32_t height) const;
+    /// Uploads only what rays march through; colours, normals and light are black. The mark is the label.
+    void setPatches(const core::DepthLayers& layers);
     /// Uploads a new picture. `markOf` says what the kernels see as a label (an index into their material table).
     void setLayers(const core::DepthLayers& layers, const core::ImageRgb& photo, const core::Surface& front,
                    const core::Surface& back, const std::function<float(std::uint16_t)>& markOf);
@@ -55,6 +57,7 @@ class SceneGeometry {
     [[nodiscard]] std::uint32_t height() const { return height_; }
 
   private:
+    void uploadPatches(const core::DepthLayers& layers, const std::function<float(std::uint16_t)>& markOf);
     [[nodiscard]] gpu::Texture upload(const char* label, std::uint32_t width, std::uint32_t height,
                                       const std::vector<float>& texels) const;
     gpu::Device device_;

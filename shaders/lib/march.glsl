@@ -5,6 +5,8 @@
 // s = t / (p.z + t d.z) the ray p + t d becomes start + s step: linear in s. Each pixel is a solid between its back and
 // its front patch, and the crossing inside a pixel is a linear equation, so there is no step size. A pyramid cell whose
 // range of w the ray does not touch is skipped as a whole (Tevs et al. 2008, "Maximum mipmaps").
+//
+// A kernel may define MARCH_WITHOUT before it includes this: pixels with that label count as empty.
 #ifndef PATINA_MARCH_GLSL
 #define PATINA_MARCH_GLSL
 
@@ -70,6 +72,9 @@ bool crossPixel(ImageRay ray, ivec2 pixel, float s0, float s1, out float enter, 
     back = false;
     vec4 frontPatch = texelFetch(frontPatchMap, pixel, 0);
     if (!(frontPatch.x > 0.0)) return false;
+#ifdef MARCH_WITHOUT
+    if (frontPatch.w == MARCH_WITHOUT) return false;
+#endif
     vec4 backPatch = texelFetch(backPatchMap, pixel, 0);
     vec3 a = ray.start + ray.step * s0;
     vec3 b = ray.start + ray.step * s1;

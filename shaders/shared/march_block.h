@@ -5,7 +5,7 @@
 
 #include "shaders/shared/interop.h"
 
-#define MARCH_RAYS 0  // two vec4 per ray: origin [m], direction (unit)
+#define MARCH_RAYS 0  // two vec4 per ray: origin [m], direction (unit; zero = no ray, hits nothing)
 #define MARCH_HITS 1  // one vec4 per ray: x, y (-1 = none), 1 = entered through the back layer, distance [m]
 
 #define MARCH_PYRAMID 0
@@ -18,8 +18,12 @@ struct MarchBlock {
     uint method;        // MARCH_PYRAMID or MARCH_CONSTANT
     float stepSize;     // constant steps only [m]
     float maxDistance;  // constant steps only [m]
+    float without;      // pyramid only: pixels with this label count as empty; -1 = none
+    uint pad0;
+    uint pad1;
+    uint pad2;
 };
-KERNEL_BLOCK(MarchBlock, 16)
+KERNEL_BLOCK(MarchBlock, 32)
 
 KERNEL_END
 

@@ -8,21 +8,29 @@
 #include "gpu/shader_module.h"
 #include "kernels/build_pyramid.h"
 #include "kernels/composite.h"
+#include "kernels/depth_filter.h"
 #include "kernels/dipole_gather.h"
+#include "kernels/fill_shepard.h"
 #include "kernels/filter.h"
+#include "kernels/fit_surface.h"
 #include "kernels/irradiance.h"
 #include "kernels/march_rays.h"
+#include "kernels/relax_membrane.h"
 #include "kernels/reshade.h"
 #include "kernels/silhouette.h"
 #include "shaders/shared/build_pyramid_block.h"
 #include "shaders/shared/composite_block.h"
+#include "shaders/shared/depth_filter_block.h"
 #include "shaders/shared/dipole.h"
 #include "shaders/shared/dipole_gather_block.h"
+#include "shaders/shared/fill_shepard_block.h"
 #include "shaders/shared/filter_block.h"
+#include "shaders/shared/fit_surface_block.h"
 #include "shaders/shared/geometry_block.h"
 #include "shaders/shared/irradiance_block.h"
 #include "shaders/shared/march_block.h"
 #include "shaders/shared/path.h"
+#include "shaders/shared/relax_membrane_block.h"
 #include "shaders/shared/reshade_block.h"
 #include "shaders/shared/silhouette_block.h"
 #include "tests/gpu/render_support.h"
@@ -54,9 +62,32 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
                   MEMBER(BuildPyramidBlock, sourceHeight), MEMBER(BuildPyramidBlock, sourceOffset),
                   MEMBER(BuildPyramidBlock, pad0)},
                  sizeof(kernel::BuildPyramidBlock));
+    expectLayout(
+        depth_filter_spv, "DepthFilterBlock",
+        {MEMBER(DepthFilterBlock, width), MEMBER(DepthFilterBlock, height), MEMBER(DepthFilterBlock, first),
+         MEMBER(DepthFilterBlock, count), MEMBER(DepthFilterBlock, curveFirst), MEMBER(DepthFilterBlock, cellsPerUnit),
+         MEMBER(DepthFilterBlock, colorFactor), MEMBER(DepthFilterBlock, pad0)},
+        sizeof(kernel::DepthFilterBlock));
+    expectLayout(
+        fit_surface_spv, "FitSurfaceBlock",
+        {MEMBER(FitSurfaceBlock, camera), MEMBER(FitSurfaceBlock, width), MEMBER(FitSurfaceBlock, height),
+         MEMBER(FitSurfaceBlock, first), MEMBER(FitSurfaceBlock, count), MEMBER(FitSurfaceBlock, tapCount),
+         MEMBER(FitSurfaceBlock, hasKnown), MEMBER(FitSurfaceBlock, relativeNoise), MEMBER(FitSurfaceBlock, sign)},
+        sizeof(kernel::FitSurfaceBlock));
+    expectLayout(relax_membrane_spv, "RelaxMembraneBlock",
+                 {MEMBER(RelaxMembraneBlock, width), MEMBER(RelaxMembraneBlock, height),
+                  MEMBER(RelaxMembraneBlock, parity), MEMBER(RelaxMembraneBlock, overRelaxation)},
+                 sizeof(kernel::RelaxMembraneBlock));
+    expectLayout(
+        fill_shepard_spv, "FillShepardBlock",
+        {MEMBER(FillShepardBlock, levelCount), MEMBER(FillShepardBlock, first), MEMBER(FillShepardBlock, count),
+         MEMBER(FillShepardBlock, opening), MEMBER(FillShepardBlock, leastCube), MEMBER(FillShepardBlock, pad0),
+         MEMBER(FillShepardBlock, pad1), MEMBER(FillShepardBlock, pad2)},
+        sizeof(kernel::FillShepardBlock));
     expectLayout(march_rays_spv, "MarchBlock",
                  {MEMBER(MarchBlock, rayCount), MEMBER(MarchBlock, method), MEMBER(MarchBlock, stepSize),
-                  MEMBER(MarchBlock, maxDistance)},
+                  MEMBER(MarchBlock, maxDistance), MEMBER(MarchBlock, without), MEMBER(MarchBlock, pad0),
+                  MEMBER(MarchBlock, pad1), MEMBER(MarchBlock, pad2)},
                  sizeof(kernel::MarchBlock));
     expectLayout(
         march_rays_spv, "GeometryBlock",
