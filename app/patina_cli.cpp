@@ -58,6 +58,9 @@ int main(int argc, char** argv) {
     app.add_option("--device", session.device,
                    "Graphics device: part of its name or its number in `patina-cli devices`")
         ->type_name("DEVICE");
+    app.add_option("--analysis", session.analysis,
+                   "Who analyses: auto (the graphics device, unless it is a software one), cpu or gpu")
+        ->type_name("WHO");
     app.require_subcommand(1);
     app.fallthrough();
     app.footer(

@@ -59,10 +59,15 @@ void AnalysisWorker::analyse(const Request& request) {
     const auto report =
         throttledProgress([this](const QString& step, double fraction) { emit progress(step, fraction); });
     try {
+        if (makeKernels_) {
+            kernels_ = makeKernels_();
+            makeKernels_ = {};
+        }
         auto result = std::make_shared<AnalysisResult>();
         result->generation = request.generation;
         result->scene = request.scene;
-        result->analysis = pipeline_.run(request.scene, core::StepContext(report, &cancel_));
+        result->analysis = pipeline_.run(request.scene, core::StepContext(report, &cancel_, kernels_.get()));
+        if (kernels_) result->notes = kernels_->takeNotes();
         emit finished(std::move(result));
     } catch (const core::Error& error) {
         if (error.kind() != core::ErrorKind::Cancelled)

@@ -5,12 +5,16 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "core/analysis.h"
+#include "core/analysis_kernels.h"
 #include "core/pipeline.h"
 #include "core/scene.h"
 
@@ -21,6 +25,7 @@ struct AnalysisResult {
     std::uint64_t generation = 0;  ///< Workspace::generation of `scene`
     core::Scene scene;
     std::shared_ptr<const core::Analysis> analysis;
+    std::vector<std::string> notes;  ///< what went otherwise than asked for, full sentences
 };
 
 /// Runs core::AnalysisPipeline on a thread of its own. A mailbox with one slot: only the latest request waits, the one
@@ -30,6 +35,11 @@ class AnalysisWorker : public QObject {
   public:
     explicit AnalysisWorker(QObject* parent = nullptr);
     ~AnalysisWorker() override;
+
+    /// Makes what computes the dear pieces of the analysis, nullptr = the CPU. Called on the worker's thread when the
+    /// first analysis begins, and again if it throws (the analysis then fails with its message). Before any request.
+    using MakeKernels = std::function<std::unique_ptr<core::AnalysisKernels>()>;
+    void setKernels(MakeKernels makeKernels) { makeKernels_ = std::move(makeKernels); }
 
     /// Replaces a waiting request. From the owner's thread.
     void request(std::uint64_t generation, const core::Scene& scene);
@@ -55,7 +65,9 @@ class AnalysisWorker : public QObject {
     std::shared_ptr<const core::Photo> inWork_;  ///< guarded by mutex_
     bool quit_ = false;                          ///< guarded by mutex_
     std::atomic<bool> cancel_ = false;
-    core::AnalysisPipeline pipeline_;  ///< used by the thread only
+    MakeKernels makeKernels_;                         ///< empty once it was called with success
+    std::unique_ptr<core::AnalysisKernels> kernels_;  ///< used by the thread only
+    core::AnalysisPipeline pipeline_;                 ///< used by the thread only
     std::thread thread_;
 };
 

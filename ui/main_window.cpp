@@ -23,6 +23,7 @@
 #include <algorithm>
 
 #include "core/analysis_notes.h"
+#include "core/render/gpu_analysis_kernels.h"
 #include "gpu/error.h"
 #include "gpu/instance.h"
 #include "ui/panels/registry.h"
@@ -58,6 +59,10 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWin
     makeDocks();
     makeToolBar();
 
+    if (options_.canvas)
+        worker_.setKernels([wish = options_.device.toStdString()] {
+            return render::createAnalysisKernels(render::analysisTwinFromEnvironment(), wish);
+        });
     connect(&workspace_, &Workspace::sceneChanged, this, &MainWindow::sceneChanged);
     connect(&workspace_, &Workspace::documentReplaced, this, &MainWindow::documentReplaced);
     connect(&workspace_, &Workspace::selectionChanged, canvas_, &Canvas::setSelection);
@@ -191,6 +196,7 @@ void MainWindow::analysisFinished(const std::shared_ptr<const AnalysisResult>& r
     QStringList notes;
     for (const std::string& note : core::analysisNotes(workspace_.scene(), *result->analysis))
         notes << QString::fromStdString(note);
+    for (const std::string& note : result->notes) notes << QString::fromStdString(note);
     if (notes == analysisNotes_) return;
     analysisNotes_ = notes;
     if (!notes.isEmpty()) statusBar()->showMessage(notes.join(' '), kAnalysisNotesMilliseconds);

@@ -14,6 +14,7 @@
 #include "core/io/image_io.h"
 #include "core/io/project.h"
 #include "core/pipeline.h"
+#include "core/render/gpu_analysis_kernels.h"
 #include "core/render/renderer.h"
 #include "gpu/adapter.h"
 #include "gpu/instance.h"
@@ -208,7 +209,14 @@ void MainWindow::exportPicture(const QString& path) {
          wish = options_.device.toStdString()](const core::StepContext& context) {
             const gpu::Device device =
                 gpu::Instance::create().requestAdapter({.device = wish}).requestDevice({.label = "export"});
-            const auto analysis = known != nullptr ? known : core::AnalysisPipeline().run(scene, context);
+            std::shared_ptr<const core::Analysis> analysis = known;
+            if (analysis == nullptr) {
+                const auto kernels = render::createAnalysisKernels(render::analysisTwinFromEnvironment(), wish);
+                const core::StepContext onKernels(
+                    [&](std::string_view step, float fraction) { context.checkpoint(step, fraction); }, nullptr,
+                    kernels.get());
+                analysis = core::AnalysisPipeline().run(scene, onKernels);
+            }
             core::saveColor(render::renderImage(device, scene, analysis, context), path.toStdString());
         },
         [this, path] { statusBar()->showMessage(tr("Exported %1").arg(path), 6000); });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <climits>
 #include <cstdio>
@@ -32,6 +33,23 @@ std::string bundledSample() {
                                                   "\" is not installed; give a project with --project.");
 }
 
+/// A line per metric; what the CPU and the device took for the same thing stands side by side.
+void printTable(const std::vector<render::BenchResult>& results) {
+    const std::string cpu = "cpu_seconds.";
+    const std::string gpu = "gpu_seconds.";
+    for (const render::BenchResult& result : results) {
+        if (result.metric.starts_with(gpu)) continue;
+        std::printf("%-14s %-28s %12.5g %s", result.name.c_str(), result.metric.c_str(), result.value,
+                    result.unit.c_str());
+        if (result.metric.starts_with(cpu)) {
+            const auto twin =
+                std::ranges::find(results, gpu + result.metric.substr(cpu.size()), &render::BenchResult::metric);
+            if (twin != results.end()) std::printf("   %-24s %12.5g s", twin->metric.c_str(), twin->value);
+        }
+        std::printf("\n");
+    }
+}
+
 void bench(const std::vector<std::string>& names, const std::string& project, bool json, const Session& session) {
     for (const std::string& name : names)
         if (std::ranges::find(render::benchmarkNames(), name) == render::benchmarkNames().end()) {
@@ -42,10 +60,12 @@ void bench(const std::vector<std::string>& names, const std::string& project, bo
         }
     const core::Scene scene = loadScene(project.empty() ? bundledSample() : project);
     const gpu::Device device = openDevice(session);
-    const core::StepContext context = makeStepContext();
+    const std::unique_ptr<core::AnalysisKernels> kernels = openAnalysisKernels(session);
+    const core::StepContext context = makeStepContext(kernels.get());
     const std::shared_ptr<const core::Analysis> analysis = core::AnalysisPipeline().run(scene, context);
     const std::vector<render::BenchResult> results = render::runBenchmarks(names, device, scene, analysis, context);
     finishProgress();
+    if (kernels) printNotes(kernels->takeNotes());
     if (json) {
         nlohmann::ordered_json document;
         document["device"] = device.adapterInfo().name;
@@ -56,9 +76,7 @@ void bench(const std::vector<std::string>& names, const std::string& project, bo
                 {{"name", result.name}, {"metric", result.metric}, {"value", result.value}, {"unit", result.unit}});
         std::cout << document.dump(2) << '\n';
     } else {
-        for (const render::BenchResult& result : results)
-            std::printf("%-14s %-28s %12.5g %s\n", result.name.c_str(), result.metric.c_str(), result.value,
-                        result.unit.c_str());
+        printTable(results);
     }
 }
 

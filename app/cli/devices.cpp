@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/session.h"
+#include "core/pipeline.h"
+#include "core/render/gpu_analysis_kernels.h"
 #include "gpu/instance.h"
 
 namespace cli {
@@ -55,6 +57,21 @@ gpu::Device openDevice(const Session& session) {
     const gpu::Adapter adapter = gpu::Instance::create().requestAdapter({.device = session.device});
     std::fprintf(stderr, "patina-cli: Rendering on %s.\n", adapter.info().name.c_str());
     return adapter.requestDevice({.label = "patina-cli"});
+}
+
+std::unique_ptr<core::AnalysisKernels> openAnalysisKernels(const Session& session) {
+    return render::createAnalysisKernels(session.analysis.empty()
+                                             ? render::analysisTwinFromEnvironment()
+                                             : render::parseAnalysisTwin(session.analysis, "--analysis"),
+                                         session.device);
+}
+
+std::shared_ptr<const core::Analysis> analyse(const core::Scene& scene, const Session& session) {
+    const std::unique_ptr<core::AnalysisKernels> kernels = openAnalysisKernels(session);
+    auto analysis = core::AnalysisPipeline().run(scene, makeStepContext(kernels.get()));
+    finishProgress();
+    if (kernels) printNotes(kernels->takeNotes());
+    return analysis;
 }
 
 void addDevices(CLI::App& app, Session& session) {

@@ -3,11 +3,11 @@
 #include <memory>
 #include <optional>
 
+#include "app/cli/devices.h"
 #include "app/cli/session.h"
 #include "core/analysis_notes.h"
 #include "core/io/cryptomatte.h"
 #include "core/io/image_io.h"
-#include "core/pipeline.h"
 
 namespace cli {
 
@@ -74,7 +74,8 @@ const Layer* findLayer(std::span<const Layer> layers, const std::string& name) {
                                                   "reflected:LABEL, incident:LABEL.");
 }
 
-void exportLayer(const std::string& project, const std::string& name, const std::string& output) {
+void exportLayer(const std::string& project, const std::string& name, const std::string& output,
+                 const Session& session) {
     const std::size_t colon = name.find(':');
     const std::string kind = name.substr(0, colon);
     const bool perSegment = kind == "reflected" || kind == "incident";
@@ -95,8 +96,7 @@ void exportLayer(const std::string& project, const std::string& name, const std:
                               "The segment \"" + segment.name + "\" is not glossy, so it has no " + kind + " light.");
         label = segment.label;
     }
-    const std::shared_ptr<const Analysis> analysis = core::AnalysisPipeline().run(scene, makeStepContext());
-    finishProgress();
+    const std::shared_ptr<const Analysis> analysis = analyse(scene, session);
     printNotes(core::analysisNotes(scene, *analysis));
     if (!perSegment) return analysed->save(scene, *analysis, output);
     const core::Reflectance* reflectance = analysis->findReflectance(*label);
@@ -135,8 +135,9 @@ void addExport(CLI::App& app, Session& session) {
     command->add_option("project", args->project, "Project file")->required()->type_name("P.patina");
     command->add_option("--layer", args->layer, "What to write")->required()->type_name("LAYER");
     command->add_option("-o,--output", args->output, "Image to write")->required()->type_name("FILE");
-    command->callback(
-        [&session, args] { session.run = [args] { exportLayer(args->project, args->layer, args->output); }; });
+    command->callback([&session, args] {
+        session.run = [&session, args] { exportLayer(args->project, args->layer, args->output, session); };
+    });
 }
 
 }  // namespace cli

@@ -13,7 +13,6 @@
 #include "core/io/image_io.h"
 #include "core/io/project.h"
 #include "core/metals.h"
-#include "core/pipeline.h"
 #include "core/render/renderer.h"
 
 namespace cli {
@@ -87,7 +86,7 @@ void render(const Arguments& args, bool samplesGiven, bool bouncesGiven, bool se
 
     const gpu::Device device = openDevice(session);
     const core::StepContext context = makeStepContext();
-    const std::shared_ptr<const core::Analysis> analysis = core::AnalysisPipeline().run(scene, context);
+    const std::shared_ptr<const core::Analysis> analysis = analyse(scene, session);
     printNotes(core::analysisNotes(scene, *analysis));
     const core::ImageRgb result = render::renderImage(device, scene, analysis, context);
     finishProgress();

@@ -63,9 +63,9 @@ ProgressPrinter& progressPrinter() {
 
 }  // namespace
 
-core::StepContext makeStepContext() {
+core::StepContext makeStepContext(core::AnalysisKernels* kernels) {
     return core::StepContext([](std::string_view step, float fraction) { progressPrinter().report(step, fraction); },
-                             &interrupted);
+                             &interrupted, kernels);
 }
 
 void finishProgress() { progressPrinter().finish(); }

@@ -25,6 +25,7 @@ enum ExitCode : int {
 /// What the options before and after a command decide for all commands, and the command that was chosen.
 struct Session {
     std::string device;         ///< part of a device's name or its index; "" = no wish
+    std::string analysis;       ///< "auto", "cpu" or "gpu"; "" = no wish
     std::function<void()> run;  ///< set by the chosen command
 };
 
@@ -37,8 +38,8 @@ void addDevices(CLI::App& app, Session& session);
 void addBench(CLI::App& app, Session& session);
 
 /// Reports progress to stderr (one rewritten line on a terminal, else a line per step and tenth) and stops the work on
-/// SIGINT.
-[[nodiscard]] core::StepContext makeStepContext();
+/// SIGINT. `kernels` compute the dear pieces of the analysis; nullptr = the CPU.
+[[nodiscard]] core::StepContext makeStepContext(core::AnalysisKernels* kernels = nullptr);
 /// Ends the rewritten line, so that the next message starts on its own.
 void finishProgress();
 /// From now on SIGINT asks the running step to stop; a second one kills the program.

@@ -283,6 +283,27 @@ class WorkTest(CliTest):
         self.assertEqual(metrics["march", "rays_per_second.pyramid"]["unit"], "1/s")
         self.assertEqual({name for name, _ in metrics}, {"march"})
 
+    def test_analysis_on_the_device_and_on_the_cpu(self):
+        project = self.small_project()
+        pictures = {}
+        for who in ("auto", "cpu", "gpu"):
+            pictures[who] = self.path(who + ".exr")
+            self.run_cli("export", project, "--layer", "normals", "-o", pictures[who], "--analysis", who)
+            self.run_cli("export", project, "--layer", "environment", "-o", self.path("e.exr"),
+                         env={"PATINA_ANALYSIS": who})
+        with open(pictures["auto"], "rb") as auto, open(pictures["cpu"], "rb") as cpu:
+            self.assertEqual(auto.read(), cpu.read())  # the tests' device is a software one
+        export = ["export", project, "--layer", "normals", "-o", self.path("n.exr")]
+        self.fails(2, ["--analysis", "fast", "auto, cpu or gpu"], *export, "--analysis", "fast")
+        self.fails(2, ["PATINA_ANALYSIS", "fast"], *export, env={"PATINA_ANALYSIS": "fast"})
+        self.fails(4, ["no such device"], *export, "--analysis", "gpu", "--device", "no such device")
+        document = json.loads(self.run_cli("bench", "analyse", "--json", "--project", project).stdout)
+        seconds = {r["metric"]: r["value"] for r in document["results"]}
+        for stage in ("filter", "geometry", "backside", "reflectance", "environment", "total"):
+            self.assertEqual(seconds["seconds." + stage], seconds["cpu_seconds." + stage])
+            self.assertGreaterEqual(seconds["gpu_seconds." + stage], 0)
+        self.assertGreater(seconds["gpu_seconds.total"], 0)
+
     def test_interrupt(self):
         process = subprocess.Popen([PROGRAM, "render", STUDIO, "--samples", "100000", "--edit", 'vase={"brdf":"ggx"}',
                                     "-o", self.path("o.png")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

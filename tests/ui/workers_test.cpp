@@ -86,6 +86,27 @@ TEST(AnalysisWorker, UnusableSceneIsASentence) {
     EXPECT_FALSE(failed[0][1].toString().isEmpty());
 }
 
+TEST(AnalysisWorker, MakesItsKernelsOnItsOwnThread) {
+    ui::AnalysisWorker worker;
+    std::vector<std::thread::id> makers;
+    worker.setKernels([&]() -> std::unique_ptr<core::AnalysisKernels> {
+        makers.push_back(std::this_thread::get_id());
+        if (makers.size() == 1) throw std::runtime_error("There is no device.");
+        return nullptr;
+    });
+    QSignalSpy failed(&worker, &ui::AnalysisWorker::failed);
+    QSignalSpy finished(&worker, &ui::AnalysisWorker::finished);
+    worker.request(1, test::makeScene());
+    ASSERT_TRUE(test::waitUntil([&] { return failed.size() == 1; }, 20000));
+    EXPECT_EQ(failed[0][1].toString(), "There is no device.");
+    worker.request(2, test::makeScene());
+    ASSERT_TRUE(test::waitUntil([&] { return finished.size() == 1; }, 20000));
+    worker.request(3, test::makeScene());
+    ASSERT_TRUE(test::waitUntil([&] { return finished.size() == 2; }, 20000));
+    ASSERT_EQ(makers.size(), 2u) << "asked again after a failure, kept after a success";
+    EXPECT_NE(makers[1], std::this_thread::get_id());
+}
+
 TEST(Workspace, KnowsWhichEditsTouchTheAnalysis) {
     ui::Workspace workspace;
     workspace.setDocument(core::Document(test::makeScene()));
