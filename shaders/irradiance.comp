@@ -28,7 +28,7 @@ void main() {
     vec3 sum = sliceValue(block.firstRay) == 0u ? vec3(0.0) : sums[index].rgb;
     uint rayCount = sliceValue(block.rayCount);
     for (uint i = 0u; i < rayCount; ++i) {
-        vec3 radiance = pathRadiance(start, PathId(id, block.firstRay + i, block.seed), block.bounces);
+        vec3 radiance = pathRadiance(start, PathId(id, block.firstRay + i, block.seed), sliceValue(block.bounces));
         if (path_valid(radiance)) sum += radiance;
         else atomicAdd(dropped, 1u);
     }

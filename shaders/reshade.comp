@@ -35,7 +35,7 @@ void main() {
     uint id = uint(pixel.y) * geometry.width + uint(pixel.x);
     PathVertex start = cameraVertex(pixel);
     for (uint i = 0u; i < sampleCount; ++i) {
-        vec3 radiance = pathRadiance(start, PathId(id, block.firstSample + i, block.seed), block.bounces);
+        vec3 radiance = pathRadiance(start, PathId(id, block.firstSample + i, block.seed), sliceValue(block.bounces));
         if (path_valid(radiance)) {
             float l = luminance(radiance);
             sum += vec4(radiance, l * l);

@@ -28,7 +28,9 @@ constexpr double kFilterGuess = 1e-5;     // one pixel in one step of the filter
 constexpr double kCompositeGuess = 5e-7;  // one pixel
 
 constexpr std::uint32_t kMaxPathsPerDispatch = 16;  // per pixel: bounds what one invocation may take
-constexpr std::uint32_t kChunk = 256;               // surface samples gathered at a time
+// What starting this kernel costs a software driver is as much as these paths; smaller slices would mean only that.
+constexpr std::uint64_t kMinIrradiancePaths = 4096;
+constexpr std::uint32_t kChunk = 256;  // surface samples gathered at a time
 
 enum class Task { None, Reshade, Filter, Irradiance, Gather };
 
@@ -461,7 +463,7 @@ double Renderer::Impl::recordFilter(const gpu::CommandEncoder& encoder, SegmentS
 
 double Renderer::Impl::recordIrradiance(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds) {
     const std::string kind = "irradiance " + std::to_string(state.label);
-    const std::uint64_t units = timer.units(kind, kPathGuess, seconds, kListGroupSize);
+    const std::uint64_t units = timer.units(kind, kPathGuess, seconds, kMinIrradiancePaths);
     kernel::IrradianceBlock block{};
     block.firstPoint = state.litPoints;
     block.firstRay = state.litRays;

@@ -3,6 +3,7 @@
 #ifndef PATINA_PATH_GLSL
 #define PATINA_PATH_GLSL
 
+#include "shaders/lib/list.glsl"
 #include "shaders/lib/march.glsl"
 #include "shaders/shared/path.h"
 #include "shaders/shared/rng.h"
@@ -37,7 +38,7 @@ vec3 leave(PathVertex v, PathId id, uint b, out vec3 direction, out vec4 light) 
     vec3 wi = path_scatter(shading[v.label], v.role, v.eta, wo, u, weight);
     direction = normalize(from_local(v.n, wi));
     light = vec4(0.0, 0.0, 0.0, -1.0);
-    if (geometry.environmentSampled == 0u) return weight;
+    if (sliceValue(geometry.environmentSampled) == 0u) return weight;
 
     vec3 w = rng_light(id.pixel, id.sampleIndex, b, id.seed);
     vec4 found = sampleEnvironment(w.xy);
