@@ -9,10 +9,10 @@
 #include <numbers>
 #include <vector>
 
+#include "app/cli/devices.h"
 #include "app/cli/session.h"
 #include "core/io/import/import_format.h"
 #include "core/io/project.h"
-#include "core/pipeline.h"
 
 namespace cli {
 
@@ -37,17 +37,16 @@ ordered_json describeDepth(const core::ImageF& depth) {
 }
 
 /// How the back of every segment was made, by label; segments without depth have none.
-std::map<std::uint16_t, ordered_json> describeBackSides(const core::Scene& scene) {
-    const auto analysis = core::AnalysisPipeline().run(scene, makeStepContext());
-    finishProgress();
+std::map<std::uint16_t, ordered_json> describeBackSides(const core::Scene& scene, const core::Analysis& analysis) {
     const core::LabelImage& labels = scene.photo->labels;
     std::map<std::uint16_t, std::vector<float>> thickness;
     for (std::size_t i = 0; i < labels.size(); ++i)
-        if (labels[i] != 0 && analysis->front->depth[i] > 0)
-            thickness[labels[i]].push_back(analysis->back->depth[i] - analysis->front->depth[i]);
+        if (labels[i] != 0 && analysis.front->depth[i] > 0)
+            thickness[labels[i]].push_back(analysis.back->depth[i] - analysis.front->depth[i]);
     std::map<std::uint16_t, ordered_json> result;
-    for (const core::BackSideInfo& info : analysis->backSides) {
+    for (const core::BackSideInfo& info : analysis.backSides) {
         std::vector<float>& values = thickness[info.label];
+        if (values.empty()) continue;
         const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
         std::ranges::nth_element(values, middle);
         ordered_json& entry = result[info.label];
@@ -60,7 +59,8 @@ std::map<std::uint16_t, ordered_json> describeBackSides(const core::Scene& scene
     return result;
 }
 
-ordered_json describe(const core::Scene& scene, const std::string& project, bool analyse) {
+/// `analysis`: nullptr = nothing is said of back sides.
+ordered_json describe(const core::Scene& scene, const std::string& project, const core::Analysis* analysis) {
     const core::Photo& photo = *scene.photo;
     const core::Camera& camera = photo.camera;
     ordered_json result;
@@ -87,7 +87,7 @@ ordered_json describe(const core::Scene& scene, const std::string& project, bool
         if (photo.depth[i] > 0) ++withDepth[photo.labels[i]];
     }
     std::map<std::uint16_t, ordered_json> backSides;
-    if (analyse) backSides = describeBackSides(scene);
+    if (analysis != nullptr) backSides = describeBackSides(scene, *analysis);
     result["segments"] = ordered_json::array();
     for (const core::Segment& segment : scene.segments) {
         ordered_json entry;
@@ -155,8 +155,10 @@ void addInfo(CLI::App& app, Session& session) {
     command->add_flag("--json", args->json, "Print one JSON document");
     command->add_flag("--back-sides", args->backSides, "Analyse the photograph and say how each back side was made");
     command->callback([&session, args] {
-        session.run = [args] {
-            const ordered_json info = describe(loadScene(args->project), args->project, args->backSides);
+        session.run = [&session, args] {
+            const core::Scene scene = loadScene(args->project);
+            const auto analysis = args->backSides ? analyse(scene, session) : nullptr;
+            const ordered_json info = describe(scene, args->project, analysis.get());
             if (args->json)
                 std::cout << info.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
             else

@@ -75,7 +75,7 @@ void solveMembrane(Image<MembraneCell>& cells, const char* step, float progress,
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         context.checkpoint(step, progress);
         // Plain relaxation last: it removes the checkered remains of the over-relaxed sweeps.
-        relax(cells, free, sweep + 2 < kSweeps ? kOverRelaxation : 1.0f);
+        relax(cells, free, sweep + 2 < sweeps ? kOverRelaxation : 1.0f);
     }
 }
 
