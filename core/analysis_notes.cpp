@@ -7,6 +7,8 @@
 #include <map>
 #include <numbers>
 
+#include "core/steps/reflectance.h"
+
 namespace core {
 namespace {
 
@@ -32,13 +34,12 @@ void noteLight(const Scene& scene, const Analysis& analysis, std::vector<std::st
     const bool glossy = std::ranges::any_of(scene.segments, [](const Segment& s) { return s.glossy; });
     const std::string rest = params.image ? "the loaded map gives the rest" : "the rest is guessed";
     if (seen <= 0) {
-        notes.push_back(std::string(glossy ? "No glossy pixel shows anything but other objects"
-                                           : "No segment is flagged as glossy") +
-                        " and no pixel is distant, so nothing is known of the light" +
-                        (params.image
-                             ? ": the loaded map is all of it."
-                             : ": edits are lit by the photograph's mean colour. Flag something glossy or load "
-                               "an environment map."));
+        notes.push_back(
+            std::string(glossy ? "No glossy segment mirrors the light" : "No segment is flagged as glossy") +
+            " and no pixel is distant, so nothing is known of the light" +
+            (params.image
+                 ? ": the loaded map is all of it."
+                 : ": edits are lit as the shading suggests. Flag something glossy or load an environment map."));
     } else if (!glossy) {
         notes.push_back("No segment is flagged as glossy: the light is known only from distant pixels, " + percent +
                         "; " + rest + ". Flag something glossy to recover more.");
@@ -70,10 +71,10 @@ std::vector<std::string> analysisNotes(const Scene& scene, const Analysis& analy
         if (pixels[segment.label] < kFewPixels) {
             notes.push_back(name + " is glossy but has only " + std::to_string(pixels[segment.label]) +
                             " pixels with depth: too few to tell its reflectance and the light from it.");
-        } else if (!reflectance->reliable && !segment.reflectance && reflectance->rho.maxCoeff() >= 1) {
+        } else if (!segment.reflectance && steps::showsMoreThanItMirrors(*reflectance)) {
             notes.push_back(name +
-                            " shows more light than it can mirror: it is not only glossy, and the light recovered "
-                            "from it is a guess. Take the flag off, or set its reflectance by hand.");
+                            " shows more light than it can mirror: it has colours of its own, so the light is not "
+                            "recovered from it. If it is a mirror, set its reflectance by hand.");
         } else if (!reflectance->reliable && !segment.reflectance) {
             notes.push_back(name + " shows too little whose brightness is known otherwise (" +
                             number("%.2f", static_cast<double>(reflectance->commonSolidAngle)) +

@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "core/steps/deconvolve.h"
+#include "core/steps/light_from_shading.h"
 
 namespace core::steps {
 namespace {
@@ -15,20 +16,16 @@ constexpr const char* kName = "Environment";
 constexpr float kUnreliableConfidence = 0.2f;
 
 /// Distant pixels: light seen directly.
-DirectionalMap distantLight(const Photo& photo, const Image<std::uint8_t>& distant, int mapHeight, Vector3f& mean,
+DirectionalMap distantLight(const Photo& photo, const Image<std::uint8_t>& distant, int mapHeight,
                             const StepContext& context) {
     DirectionalAccumulator sum(mapHeight);
-    Eigen::Vector3d total = Eigen::Vector3d::Zero();
     for (int y = 0; y < distant.height(); ++y) {
         context.checkpoint(kName, 0.2f * static_cast<float>(y) / static_cast<float>(distant.height()));
         for (int x = 0; x < distant.width(); ++x) {
-            const Vector3f& color = photo.color(x, y);
-            total += color.cast<double>();
             if (distant(x, y) != 0)
-                sum.add(photo.camera.pixelRay(x, y).normalized(), color, 1, clippedChannels(photo, x, y));
+                sum.add(photo.camera.pixelRay(x, y).normalized(), photo.color(x, y), 1, clippedChannels(photo, x, y));
         }
     }
-    mean = (total / static_cast<double>(std::max<std::size_t>(1, distant.size()))).cast<float>();
     return sum.map();
 }
 
@@ -68,20 +65,34 @@ DirectionalMap merge(std::span<const LobeObservations> sources, int mapHeight) {
     return result;
 }
 
+ImageRgb toMap(const ShadingLight& light, int width, int height) {
+    ImageRgb map(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            map(x, y) = Vector3f::Constant(light.radiance(DirectionalMap::directionFromTexel(
+                {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}, width, height)));
+    return map;
+}
+
 }  // namespace
 
-DirectionalMap recoverEnvironment(const Photo& photo, const Image<std::uint8_t>& distant,
-                                  const EnvironmentParams& params,
+DirectionalMap recoverEnvironment(const Scene& scene, const Surface& front, const Image<std::uint8_t>& distant,
                                   std::span<const std::shared_ptr<const Reflectance>> reflectances,
                                   std::span<const std::shared_ptr<const SegmentReflections>> reflections,
                                   const StepContext& context) {
     CORE_ASSERT(reflectances.size() == reflections.size(), "one ρ per segment");
+    const EnvironmentParams& params = scene.environment;
     const int mapHeight = std::clamp(params.height, 4, 2048);
-    Vector3f mean;
     std::vector<LobeObservations> sources;
-    sources.push_back({distantLight(photo, distant, mapHeight, mean, context), 0, {0, 0, 1}, 1});
+    sources.push_back({distantLight(*scene.photo, distant, mapHeight, context), 0, {0, 0, 1}, 1});
+    bool mirrored = false;
     for (std::size_t i = 0; i < reflections.size(); ++i) {
         const Reflectance& reflectance = *reflectances[i];
+        const Segment* segment = scene.findSegment(reflectance.label);
+        const bool chosen = segment != nullptr && segment->reflectance;
+        if (!chosen && showsMoreThanItMirrors(reflectance)) continue;
+        mirrored =
+            mirrored || std::ranges::any_of(reflections[i]->missed.coverage.pixels(), [](float c) { return c > 0; });
         LobeObservations source{reflections[i]->missed, reflectance.alpha, reflections[i]->view,
                                 reflectance.reliable ? 1.0f : kUnreliableConfidence};
         const Vector3f scale = reflectance.rho.cwiseMax(1e-3f).cwiseInverse();
@@ -89,14 +100,18 @@ DirectionalMap recoverEnvironment(const Photo& photo, const Image<std::uint8_t>&
         sources.push_back(std::move(source));
     }
     DirectionalMap map = merge(sources, mapHeight);
-    const bool observed = std::ranges::any_of(map.coverage.pixels(), [](float c) { return c > 0; });
-    fillDirections(map, params.fill, mean, kName, context, 0.2f, 0.4f);
-    if (observed) deconvolve(map, sources, kName, context, 0.4f, 0.8f);
+    if (mirrored) {
+        fillDirections(map, params.fill, Vector3f::Zero(), kName, context, 0.2f, 0.4f);
+        deconvolve(map, sources, kName, context, 0.4f, 0.8f);
+    }
     if (params.image && !params.image->empty()) {
         const DirectionalMap user = userEnvironment(*params.image, params.rotation, params.scale, mapHeight, context);
         completeDirections(map, user.radiance, kName, context, 0.9f);
-    } else if (observed) {
-        fillDirections(map, params.fill, mean, kName, context, 0.8f, 1.0f);
+    } else if (mirrored) {
+        fillDirections(map, params.fill, Vector3f::Zero(), kName, context, 0.8f, 1.0f);
+    } else {
+        const ShadingLight light = lightFromShading(*scene.photo, front, context, kName, 0.8f);
+        completeDirections(map, toMap(light, 2 * mapHeight, mapHeight), kName, context, 0.9f);
     }
     return map;
 }
@@ -138,12 +153,14 @@ DirectionalMap userEnvironment(const ImageRgb& image, float rotation, float scal
 Step environmentStep() {
     Step step;
     step.name = kName;
-    step.reads = {Item::Photo, Item::Depth, Item::Reflectances, Item::UserEnvironment};
+    step.reads = {Item::Photo, Item::Depth, Item::Front, Item::Reflectances, Item::UserEnvironment};
     step.writes = Item::Environment;
     step.params = [](const Scene& scene, Hash& hash) {
         const EnvironmentParams& p = scene.environment;
         if (p.image) hash.add(p.rotation).add(p.scale);
         hash.add(p.use).add(p.fill).add(p.height);
+        for (const Segment& segment : scene.segments)
+            if (segment.glossy) hash.add(segment.label).add(segment.reflectance.has_value());
     };
     step.run = [](Board& board, const StepContext& context) {
         const Scene& scene = *board.scene;
@@ -152,7 +169,7 @@ Step environmentStep() {
         board.environment = std::make_shared<DirectionalMap>(
             replaced
                 ? userEnvironment(*p.image, p.rotation, p.scale, std::min(p.image->height(), kMaxUserRows), context)
-                : recoverEnvironment(*scene.photo, board.depth->distant, p, board.reflectances, board.reflections,
+                : recoverEnvironment(scene, *board.front, board.depth->distant, board.reflectances, board.reflections,
                                      context));
     };
     return step;

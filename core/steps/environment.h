@@ -11,10 +11,10 @@ namespace core::steps {
 /// the segment's ρ, and distant pixels at their view directions. Where several know a texel the sharper and better
 /// known one counts more; then the lobes are taken out again (`deconvolve`: the paper's assumption of high gloss is not
 /// needed) and gaps are filled by `params.fill`, or, with a map of the user's to complete, from that. Distant pixels
-/// beside a pixel with depth mix with it and do not count. With nothing observed the map is the photo's mean colour
-/// with coverage 0, or the user's.
-[[nodiscard]] DirectionalMap recoverEnvironment(const Photo& photo, const ImageF& depth,
-                                                const EnvironmentParams& params,
+/// beside a pixel with depth mix with it and do not count; nor do segments that show more than they mirror. Where no
+/// segment mirrors the light, its place is taken by `lightFromShading`, with coverage 0.
+[[nodiscard]] DirectionalMap recoverEnvironment(const Scene& scene, const Surface& front,
+                                                const Image<std::uint8_t>& distant,
                                                 std::span<const std::shared_ptr<const Reflectance>> reflectances,
                                                 std::span<const std::shared_ptr<const SegmentReflections>> reflections,
                                                 const StepContext& context);

@@ -12,6 +12,7 @@
 #include "core/parallel.h"
 #include "core/steps/distant_pixels.h"
 #include "core/steps/lobe.h"
+#include "core/steps/smooth_directions.h"
 
 namespace core::steps {
 namespace {
@@ -22,6 +23,7 @@ constexpr std::size_t kMaxPixels = 400000;  // of a segment that are traced; mor
 constexpr std::size_t kMaxProbes = 1500;
 /// Codes just below the largest count as clipped too: sharpening and compression leave them there.
 constexpr float kClipMargin = 0.98f;
+constexpr int kMinBlock = 8;  // pixels; a texture or an error of the normals is to lie in one block
 constexpr float kMinRho = 0.02f;
 /// A mirror cannot reflect more than it receives; what exceeds that by more than the error of an estimate is none.
 constexpr float kMaxRho = 1.15f;
@@ -293,6 +295,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
     estimate.label = label;
     DirectionalAccumulator reflected(mapHeight);
     DirectionalAccumulator missed(mapHeight);
+    std::array<DirectionalAccumulator, 2> missedHalves{missed, missed};  // of alternate blocks of pixels
     DirectionalAccumulator incident(mapHeight);
     DirectionalAccumulator guessedIncident(mapHeight);
     DirectionalAccumulator pairReflected(mapHeight);
@@ -331,6 +334,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
             0, 0.05f);
         const auto hits = marcher.march(mirrored, 0, {context, kName, part(0.05f), part(0.35f)});
         std::vector<float> weights(mirrors.size(), 1.0f);
+        const int block = std::max(kMinBlock, static_cast<int>(std::sqrt(static_cast<double>(pixels.size())) / 8));
         forEachMirror(
             [&](std::size_t i) {
                 Mirror& mirror = mirrors[i];
@@ -346,8 +350,11 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
             const Vector3f& color = front.color(mirror.x, mirror.y);
             const unsigned clipped = tracer.clipped(mirror.x, mirror.y);
             reflected.add(mirror.direction, color, weights[i], clipped);
-            if (ending.kind == Ending::Missed || ending.kind == Ending::Distant)
+            if (ending.kind == Ending::Missed || ending.kind == Ending::Distant) {
                 missed.add(mirror.direction, color, weights[i], clipped);
+                const int half = (mirror.x / block + mirror.y / block) % 2;
+                missedHalves[static_cast<std::size_t>(half)].add(mirror.direction, color, weights[i]);
+            }
             if (clipped == 0 && (ending.kind == Ending::Known || ending.kind == Ending::Distant)) {
                 pairReflected.add(mirror.direction, color);
                 pairIncident.add(mirror.direction, ending.color);
@@ -369,6 +376,8 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
     estimate.reflected = reflected.map();
     estimate.incident = incident.map();
     result.missed = missed.map();
+    if (const float sigma = agreementWidth(missedHalves[0].map(), missedHalves[1].map()); sigma > 0)
+        smoothDirections(result.missed, sigma);
     const CommonRatio pairs = commonRatio(pairReflected.map(), pairIncident.map());
     const CommonRatio maps = commonRatio(estimate.reflected, estimate.incident);
     const CommonRatio& better = pairs.solidAngle >= kMinCommonSolidAngle ? pairs : maps;

@@ -20,7 +20,8 @@ namespace core::steps {
 struct SegmentReflections {
     Reflectance estimate;
     /// Colours whose mirrored ray hits nothing: ρ times the environment as the lobe blurs it. Weighted: where the
-    /// surface is curved so much that a pixel mirrors more than a texel, it knows less of each.
+    /// surface is curved so much that a pixel mirrors more than a texel, it knows less of each. Where the segment's
+    /// pixels contradict each other, smoothed until they agree (`agreementWidth`).
     DirectionalMap missed;
     Vector3f view{0, 0, 1};  ///< unit, from the camera to the segment
 };
@@ -40,6 +41,11 @@ struct SegmentReflections {
                                                      AnalysisKernels::RayMarcher& marcher,
                                                      const Image<std::uint8_t>& distant, std::uint16_t label,
                                                      const StepContext& context, float from, float to);
+
+/// The estimate contradicts itself: the segment has colours of its own beside what it mirrors.
+[[nodiscard]] inline bool showsMoreThanItMirrors(const Reflectance& estimate) {
+    return !estimate.reliable && estimate.rho.maxCoeff() >= 1;
+}
 
 inline constexpr float kMinCommonSolidAngle = 0.02f;  ///< [sr]
 

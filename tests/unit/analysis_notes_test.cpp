@@ -34,7 +34,7 @@ TEST(AnalysisNotes, NoGlossySegment) {
     for (float& z : photo.depth.pixels())
         if (!(z > 0)) z = 5;
     scene.photo = std::make_shared<core::Photo>(photo);
-    EXPECT_THAT(notesOf(scene), ElementsAre(HasSubstr("mean colour")));
+    EXPECT_THAT(notesOf(scene), ElementsAre(HasSubstr("shading")));
     scene.environment.image = std::make_shared<core::ImageRgb>(8, 4, core::Vector3f(1, 1, 1));
     EXPECT_THAT(notesOf(scene), IsEmpty());
 }
