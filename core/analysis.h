@@ -54,6 +54,9 @@ struct Analysis {
     std::vector<BackSideInfo> backSides;        ///< one per segment that has pixels, in label order
     std::vector<std::shared_ptr<const Reflectance>> reflectances;  ///< one per glossy segment, in label order
     std::shared_ptr<const DirectionalMap> environment;
+    /// Texture of the segments with a drive by luminance: the photograph's luminance over that of the shading, mean 1
+    /// per segment, 1 elsewhere; nullptr when no segment has such a drive.
+    std::shared_ptr<const ImageF> textureDetail;
 
     [[nodiscard]] const Reflectance* findReflectance(std::uint16_t label) const;
 };

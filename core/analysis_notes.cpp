@@ -6,6 +6,9 @@
 #include <cstdio>
 #include <map>
 #include <numbers>
+#include <utility>
+
+#include "core/drives.h"
 
 #include "core/steps/reflectance.h"
 
@@ -81,6 +84,7 @@ std::vector<std::string> analysisNotes(const Scene& scene, const Analysis& analy
                             " sr), so its reflectance is a guess. Set it by hand.");
         }
     }
+    for (std::string& note : maskNotes(scene)) notes.push_back(std::move(note));
     for (const BackSideInfo& info : analysis.backSides) {
         const Segment* segment = scene.findSegment(info.label);
         if (!info.note.empty() && segment != nullptr && segment->edit)

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/image.h"
 
@@ -26,6 +28,34 @@ struct Translucency {
     bool operator==(const Translucency&) const = default;
 };
 
+class Mask;  // core/mask.h
+
+/// What a driven parameter follows: a mask, or how much brighter than its surroundings the photograph is
+/// (core/steps/texture_detail.cpp).
+enum class DriveSource { Mask, Luminance };
+
+/// A parameter's value at one end of its source's range.
+struct DriveEnd {
+    Vector3f value{1, 1, 1};  ///< scalar parameters: all three alike
+    bool factor = true;       ///< `value` multiplies the material's own value instead of replacing it
+
+    bool operator==(const DriveEnd&) const = default;
+};
+
+/// One parameter that varies over the segment (core/drives.h).
+struct Drive {
+    std::string parameter;  ///< key of core::driveParameters
+    DriveSource source = DriveSource::Mask;
+    std::shared_ptr<const Mask> mask;  ///< Mask only; drives may share one
+    /// Where the source is 0 and 1; nullopt = the material's own value. Luminance is 0.5 at its mean; with neither end
+    /// it multiplies the material's own value, whose mean over the segment stays.
+    std::optional<DriveEnd> from, to;
+    bool invert = false;
+    float strength = 1;  ///< Mask: contrast around 0.5; Luminance: amplitude of the detail; >= 0
+
+    bool operator==(const Drive&) const = default;
+};
+
 /// How many scalar parameters a BRDF may declare in its table (shaders/brdf/*.h).
 inline constexpr int kBrdfValueCount = 12;
 
@@ -41,6 +71,7 @@ struct Material {
     float blendNew = 1;              ///< weight of the re-shaded radiance
     float blendOriginal = 0;         ///< weight of the photograph
     std::optional<Translucency> translucency;
+    std::vector<Drive> drives;  ///< at most one per parameter
 
     bool operator==(const Material&) const = default;
 };

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "core/drives.h"
 #include "core/steps/step.h"
 
 namespace core {
@@ -18,12 +19,13 @@ using steps::Step;
 /// The graph of DESIGN section 3, in order. A new step is a file in core/steps and a line here.
 const std::vector<Step>& analysisSteps() {
     static const std::vector<Step> kSteps = {
-        steps::filterDepthStep(),  // Photo                          → Depth         3.1
-        steps::surfaceStep(),      // Photo, Depth                   → Front         3.1
-        steps::backSideStep(),     // Photo, Depth, Front, user depth → Back          3.2
-        steps::depthLayersStep(),  // Photo, Front, Back             → Layers
-        steps::reflectanceStep(),  // Photo, Front, Back, Layers     → Reflectances  3.3
-        steps::environmentStep(),  // Photo, Depth, Reflectances, user map → Environment   3.4
+        steps::filterDepthStep(),    // Photo                          → Depth         3.1
+        steps::surfaceStep(),        // Photo, Depth                   → Front         3.1
+        steps::backSideStep(),       // Photo, Depth, Front, user depth → Back          3.2
+        steps::depthLayersStep(),    // Photo, Front, Back             → Layers
+        steps::reflectanceStep(),    // Photo, Front, Back, Layers     → Reflectances  3.3
+        steps::environmentStep(),    // Photo, Depth, Reflectances, user map → Environment   3.4
+        steps::textureDetailStep(),  // Photo, Front               → TextureDetail
     };
     return kSteps;
 }
@@ -61,6 +63,8 @@ Stage firstChangedSegmentStage(const Scene& before, const Scene& after) {
         const Segment& b = after.segments[i];
         touch(a.label != b.label || a.backSide != b.backSide, Stage::BackSide);
         touch(a.glossy != b.glossy || a.reflectance != b.reflectance || a.lobeWidth != b.lobeWidth, Stage::Reflectance);
+        const auto detail = [](const Segment& s) { return s.edit && drivenByLuminance(*s.edit); };
+        touch(detail(a) != detail(b), Stage::Environment);
         // Light that reaches a translucent segment may come by way of any other edited one.
         touch(withoutWeights(a.edit) != withoutWeights(b.edit), translucent ? Stage::Irradiance : Stage::Reshade);
         touch(a.edit != b.edit, Stage::Composite);
@@ -162,6 +166,7 @@ std::shared_ptr<const Analysis> AnalysisPipeline::run(const Scene& scene, const 
     analysis->backSides = board.back->segments;
     analysis->reflectances = board.reflectances;
     analysis->environment = board.environment;
+    analysis->textureDetail = board.textureDetail;
     return analysis;
 }
 

@@ -39,11 +39,7 @@ kernel::SegmentShading shadingOf(const Segment& segment, const Analysis& analysi
     s.blend = {material.blendNew, material.blendOriginal, 0, 1};
     s.diffuse.w = 1;
     if (material.translucency) {
-        // Light crosses the boundary twice; its mean transmission is η²(1 − F_dr) by reciprocity.
-        const double eta = static_cast<double>(dipoleFromTranslucency(*material.translucency).alphaPrime.w);
-        const auto transmission = static_cast<float>(eta * eta * (1 - internalDiffuseFresnel(eta)));
-        const Vector3f albedo =
-            diffuseReflectance(*material.translucency) * (material.translucency->weight * transmission * transmission);
+        const Vector3f albedo = translucentAlbedo(*material.translucency) * material.translucency->weight;
         s.diffuse = kernel::vec4(toKernel(albedo), 1);
         s.blend.z = material.brdf == "none" ? 1.0f : 0.5f;
     }
@@ -51,6 +47,13 @@ kernel::SegmentShading shadingOf(const Segment& segment, const Analysis& analysi
 }
 
 }  // namespace
+
+Vector3f translucentAlbedo(const Translucency& translucency) {
+    // Light crosses the boundary twice; its mean transmission is η²(1 − F_dr) by reciprocity.
+    const double eta = static_cast<double>(dipoleFromTranslucency(translucency).alphaPrime.w);
+    const auto transmission = static_cast<float>(eta * eta * (1 - internalDiffuseFresnel(eta)));
+    return diffuseReflectance(translucency) * (transmission * transmission);
+}
 
 Vector3f specularOf(const Segment& segment, const Analysis& analysis) {
     if (segment.reflectance) return *segment.reflectance;
@@ -78,7 +81,7 @@ struct ReferenceRenderer::Vertex {
     kernel::vec3 p;  ///< [m]
     kernel::vec3 n;  ///< shading normal, n·wo > 0
     kernel::vec3 wo;
-    const kernel::SegmentShading* shading;
+    kernel::SegmentShading shading;
     kernel::uint role;  ///< shaders/shared/path.h
     float eta = 1;      ///< of the boundary, for kPathEnter
 };
@@ -95,13 +98,37 @@ ReferenceRenderer::ReferenceRenderer(const Scene& scene, std::shared_ptr<const A
       layers_(analysis_->layers ? analysis_->layers
                                 : std::make_shared<DepthLayers>(buildDepthLayers(
                                       scene.photo->camera, scene.photo->labels, *analysis_->front, *analysis_->back))),
-      shading_(buildSegmentShading(scene_, *analysis_)) {
+      shading_(buildSegmentShading(scene_, *analysis_)),
+      drives_(buildDrives(scene_, *analysis_, shading_)),
+      driveValues_(drives_.values()) {
     if (lightSampling == LightSampling::Both && analysis_->environment)
         sampler_ = EnvironmentSampler(*analysis_->environment);
 }
 
 const kernel::SegmentShading& ReferenceRenderer::shadingOf(std::uint16_t label) const {
     return shading_[label < shading_.size() ? label : 0];
+}
+
+kernel::vec3 ReferenceRenderer::driven(kernel::uint drive, int x, int y) const {
+    const kernel::Drive& d = drives_.drives[drive];
+    return kernel::drive_value(
+        d, driveValues_[kernel::drive_index(d, static_cast<kernel::uint>(x), static_cast<kernel::uint>(y))]);
+}
+
+kernel::SegmentShading ReferenceRenderer::shadingAt(int x, int y) const {
+    kernel::SegmentShading shading = shadingOf(layers_->labels(x, y));
+    for (kernel::uint i = 0; i < shading.drives.y; ++i) {
+        const kernel::uint drive = shading.drives.x + i;
+        shading = kernel::drive_apply(shading, drives_.drives[drive].slot, driven(drive, x, y));
+    }
+    return shading;
+}
+
+float ReferenceRenderer::weightAt(float weight, kernel::uint slot, int x, int y) const {
+    const kernel::uvec4 range = shadingOf(layers_->labels(x, y)).drives;
+    for (kernel::uint i = range.z; i < range.z + range.w; ++i)
+        if (drives_.drives[i].slot == slot) weight = driven(i, x, y).x;
+    return weight;
 }
 
 Vector3f ReferenceRenderer::environment(kernel::vec3 direction) const {
@@ -111,7 +138,7 @@ Vector3f ReferenceRenderer::environment(kernel::vec3 direction) const {
 
 kernel::vec3 ReferenceRenderer::leave(const Vertex& vertex, const Path& path, std::uint32_t b,
                                       kernel::vec3& direction) const {
-    const kernel::SegmentShading& shading = *vertex.shading;
+    const kernel::SegmentShading& shading = vertex.shading;
     const kernel::vec3 wo = kernel::to_local(vertex.n, vertex.wo);
     const kernel::vec2 u = b == 0 ? kernel::rng_lattice(path.pixel, path.sample, 0, path.seed)
                                   : kernel::rng_vec2(path.pixel, path.sample, 2 * b, path.seed);
@@ -158,7 +185,7 @@ Vector3f ReferenceRenderer::follow(Vertex vertex, const Path& path) const {
         const Surface& layer = hit->back ? *analysis_->back : *analysis_->front;
         const kernel::vec3 color = toKernel(layer.color(hit->x, hit->y));
         const kernel::vec3 normal = toKernel(layer.normal(hit->x, hit->y));
-        const kernel::SegmentShading& shading = shadingOf(layers_->labels(hit->x, hit->y));
+        const kernel::SegmentShading shading = shadingAt(hit->x, hit->y);
         if (shading.blend.w == 0 || b + 1 == bounces || kernel::dot(normal, normal) == 0) {
             radiance += throughput * color;
             break;
@@ -168,21 +195,21 @@ Vector3f ReferenceRenderer::follow(Vertex vertex, const Path& path) const {
         vertex.p = origin + direction * hit->distance;
         vertex.wo = -direction;
         vertex.n = kernel::shading_normal(normal, vertex.wo);
-        vertex.shading = &shading;
+        vertex.shading = shading;
         vertex.role = kernel::kPathLater;
     }
     return fromKernel(radiance);
 }
 
 Vector3f ReferenceRenderer::pathRadiance(int x, int y, std::uint32_t sample) const {
-    const kernel::SegmentShading& shading = shadingOf(layers_->labels(x, y));
+    const kernel::SegmentShading shading = shadingAt(x, y);
     const Surface& front = *analysis_->front;
     if (shading.diffuse.w == 0 || !(front.depth(x, y) > 0)) return Vector3f::Zero();
     Vertex vertex;
     vertex.p = toKernel(front.position(x, y));
     vertex.wo = kernel::normalize(-vertex.p);
     vertex.n = kernel::shading_normal(toKernel(front.normal(x, y)), vertex.wo);
-    vertex.shading = &shading;
+    vertex.shading = shading;
     vertex.role = kernel::kPathPrimary;
     return follow(vertex, {static_cast<std::uint32_t>(front.depth.index(x, y)), sample, scene_.render.seed});
 }
@@ -228,7 +255,7 @@ std::vector<Vector3f> ReferenceRenderer::irradiance(const SurfaceSamples& sample
         vertex.p = toKernel(sample.position);
         vertex.n = toKernel(sample.normal);
         vertex.wo = vertex.n;
-        vertex.shading = &shadingOf(label);
+        vertex.shading = shadingOf(label);
         vertex.role = kernel::kPathEnter;
         vertex.eta = eta;
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -289,13 +316,19 @@ ImageRgb ReferenceRenderer::translucency(const StepContext& context) const {
 
 ImageRgb ReferenceRenderer::composite(const ImageRgb& reshaded, const ImageRgb& translucent) const {
     ImageRgb result = scene_.photo->color;
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        const Segment* segment = layers_->labels[i] == 0 ? nullptr : scene_.findSegment(layers_->labels[i]);
-        if (segment == nullptr || !segment->edit || !(analysis_->front->depth[i] > 0)) continue;
-        const Material& material = *segment->edit;
-        Vector3f fresh = reshaded[i];
-        if (material.translucency) fresh += material.translucency->weight * translucent[i];
-        result[i] = material.blendNew * fresh + material.blendOriginal * result[i];
+    for (const Segment& segment : scene_.segments) {
+        if (!segment.edit || shadingOf(segment.label).diffuse.w == 0) continue;
+        const Material& material = *segment.edit;
+        const float weight = material.translucency ? material.translucency->weight : 0;
+        for (int y = 0; y < result.height(); ++y)
+            for (int x = 0; x < result.width(); ++x) {
+                if (layers_->labels(x, y) != segment.label || !(analysis_->front->depth(x, y) > 0)) continue;
+                Vector3f fresh = reshaded(x, y);
+                if (material.translucency)
+                    fresh += weightAt(weight, kernel::kDriveTranslucentWeight, x, y) * translucent(x, y);
+                result(x, y) = weightAt(material.blendNew, kernel::kDriveBlendNew, x, y) * fresh +
+                               weightAt(material.blendOriginal, kernel::kDriveBlendOriginal, x, y) * result(x, y);
+            }
     }
     const std::vector<std::uint8_t> edited = editedLabels(shading_);
     for (const Segment& segment : scene_.segments) {
@@ -303,7 +336,9 @@ ImageRgb ReferenceRenderer::composite(const ImageRgb& reshaded, const ImageRgb& 
         for (const SilhouettePixel& p :
              findSilhouette(scene_.photo->color, layers_->labels, analysis_->front->depth, segment.label, edited))
             result(p.x, p.y) =
-                p.coverage * result(p.sourceX, p.sourceY) + p.kept + segment.edit->blendOriginal * p.keptOriginal;
+                p.coverage * result(p.sourceX, p.sourceY) + p.kept +
+                weightAt(segment.edit->blendOriginal, kernel::kDriveBlendOriginal, p.sourceX, p.sourceY) *
+                    p.keptOriginal;
     }
     return result;
 }

@@ -8,6 +8,7 @@
 
 #include "core/analysis.h"
 #include "core/depth_layers.h"
+#include "core/drives.h"
 #include "core/environment_sampler.h"
 #include "core/scene.h"
 #include "core/step_context.h"
@@ -32,7 +33,8 @@ namespace core {
 //     T *= weight;                                                 if T == 0: end
 //     o  = p + n · marchBias(camera, p.z)
 //     march(o, d);  miss: L += T · environment(d), end             (no environment: black)
-//     c  = colour of the hit pixel, of the layer that was entered;  S = shading[label of the hit pixel]
+//     c  = colour of the hit pixel, of the layer that was entered;  S = shading[label of the hit pixel], with that
+//          pixel's values of driven parameters (shaders/shared/drive.h)
 //     if S.blend.w == 0 or b == N-1 or the layer's normal there is zero: L += T · c, end
 //     L += T · S.blend.y · c;  T *= S.blend.x
 //     p  = o + d · distance;  n = the layer's normal at the hit pixel;  wo = -d
@@ -49,9 +51,9 @@ namespace core {
 // Translucent radiance before the outgoing Fresnel factor: B(p) = (1/π)(Ã/|S|) Σ_i Ê_i R_d(|p − s_i|²) with dipole_rd
 // of the dipole smoothedFor(samples); L_t = F_t(max(n·wo, 0)) · B with n = shading_normal(n, wo).
 //
-// Composite, edited segments only: blendNew · (reshaded + weight · L_t) + blendOriginal · photo. Then the pixels that
-// show a segment in part, at its outline and up to two pixels outside (core/silhouette.h). All other pixels are the
-// photograph's, bit for bit.
+// Composite, edited segments only, driven weights of the pixel: blendNew · (reshaded + weight · L_t) + blendOriginal ·
+// photo. Then the pixels that show a segment in part, at its outline and up to two pixels outside (core/silhouette.h).
+// All other pixels are the photograph's, bit for bit.
 
 /// Shading of every label (index = label; label 0 and labels without a segment end paths). An edited segment uses its
 /// material; a glossy unedited one GGX of its estimated width and ρ; both let paths go on.
@@ -62,6 +64,9 @@ namespace core {
 
 /// Specular colour of a segment when its material does not choose one: the user's ρ, the estimated one, or white.
 [[nodiscard]] Vector3f specularOf(const Segment& segment, const Analysis& analysis);
+
+/// Albedo of a translucent body as other surfaces see it, where its weight is 1.
+[[nodiscard]] Vector3f translucentAlbedo(const Translucency& translucency);
 
 /// Running sums of the re-shaded radiance. The filter needs the second moment to know the noise.
 struct Accumulation {
@@ -110,11 +115,18 @@ class ReferenceRenderer {
                                      kernel::vec3& direction) const;
     [[nodiscard]] Vector3f environment(kernel::vec3 direction) const;
     [[nodiscard]] const kernel::SegmentShading& shadingOf(std::uint16_t label) const;
+    /// With the values of driven parameters in that pixel.
+    [[nodiscard]] kernel::SegmentShading shadingAt(int x, int y) const;
+    [[nodiscard]] kernel::vec3 driven(kernel::uint drive, int x, int y) const;
+    /// A weight of the composite in that pixel.
+    [[nodiscard]] float weightAt(float weight, kernel::uint slot, int x, int y) const;
 
     Scene scene_;
     std::shared_ptr<const Analysis> analysis_;
     std::shared_ptr<const DepthLayers> layers_;
     std::vector<kernel::SegmentShading> shading_;
+    DriveTable drives_;
+    std::vector<float> driveValues_;
     EnvironmentSampler sampler_;
 };
 

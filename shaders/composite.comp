@@ -7,6 +7,7 @@
 #include "shaders/lib/pixels.glsl"
 #include "shaders/shared/composite_block.h"
 #include "shaders/shared/dipole.h"
+#include "shaders/shared/drive.h"
 #include "shaders/shared/sampling.h"
 
 layout(local_size_x = 64) in;
@@ -17,6 +18,15 @@ layout(set = 1, binding = COMPOSITE_COUNT) uniform texture2D countMap;
 layout(set = 1, binding = COMPOSITE_FILTERED) uniform texture2D filteredMap;
 layout(set = 1, binding = COMPOSITE_DIFFUSION) uniform texture2D diffusionMap;
 layout(set = 1, binding = COMPOSITE_RESULT, rgba32f) uniform writeonly image2D resultMap;
+layout(set = 1, binding = COMPOSITE_DRIVES) readonly buffer Drives { Drive drives[]; };
+layout(set = 1, binding = COMPOSITE_DRIVE_VALUES) readonly buffer DriveValues { float driveValues[]; };
+
+#include "shaders/lib/drives.glsl"
+
+// A weight of the block in this pixel.
+float weightAt(float weight, uint slot, ivec2 pixel) {
+    return drivenWeight(weight, slot, block.firstDrive, block.driveCount, pixel);
+}
 
 void main() {
     uint index = listIndex();
@@ -34,9 +44,10 @@ void main() {
             vec3 n = shading_normal(texelFetch(frontNormalMap, pixel, 0).xyz, wo);
             float transmission = fresnel_transmission(sliceValue(block.eta), max(dot(n, wo), 0.0));
             float scale = kInvPi * block.area / max(diffusion.w, 1.0) * transmission;
-            fresh += block.translucentWeight * scale * diffusion.rgb;
+            fresh += weightAt(block.translucentWeight, kDriveTranslucentWeight, pixel) * scale * diffusion.rgb;
         }
-        result = block.blendNew * fresh + block.blendOriginal * photo;
+        result = weightAt(block.blendNew, kDriveBlendNew, pixel) * fresh +
+                 weightAt(block.blendOriginal, kDriveBlendOriginal, pixel) * photo;
     }
     imageStore(resultMap, pixel, vec4(result, 1.0));
 }

@@ -14,6 +14,8 @@ layout(set = 1, binding = IRRADIANCE_SHADING) readonly buffer Shading { SegmentS
 layout(set = 1, binding = IRRADIANCE_DROPPED) buffer Dropped { uint dropped; };
 layout(set = 1, binding = IRRADIANCE_POINTS) readonly buffer Points { SurfacePoint points[]; };
 layout(set = 1, binding = IRRADIANCE_SUMS) buffer Sums { vec4 sums[]; };
+layout(set = 1, binding = IRRADIANCE_DRIVES) readonly buffer Drives { Drive drives[]; };
+layout(set = 1, binding = IRRADIANCE_DRIVE_VALUES) readonly buffer DriveValues { float driveValues[]; };
 
 #include "shaders/lib/path.glsl"
 #include "shaders/lib/pixels.glsl"
@@ -23,7 +25,8 @@ void main() {
     if (index >= block.pointCount) return;
     index += block.firstPoint;
     vec3 n = points[index].normal.xyz;
-    PathVertex start = PathVertex(points[index].position.xyz, n, n, block.label, kPathEnter, sliceValue(block.eta));
+    PathVertex start = PathVertex(points[index].position.xyz, n, n, block.label, ivec2(0), kPathEnter,
+                                  sliceValue(block.eta));
     uint id = uint(points[index].position.w);
     vec3 sum = sliceValue(block.firstRay) == 0u ? vec3(0.0) : sums[index].rgb;
     uint rayCount = sliceValue(block.rayCount);

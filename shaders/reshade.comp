@@ -15,6 +15,8 @@ layout(set = 1, binding = RESHADE_DROPPED) buffer Dropped { uint dropped; };
 layout(set = 1, binding = RESHADE_PIXELS) readonly buffer Pixels { uint pixels[]; };
 layout(set = 1, binding = RESHADE_ACCUMULATION, rgba32f) uniform image2D accumulationMap;
 layout(set = 1, binding = RESHADE_COUNT, r32f) uniform image2D countMap;
+layout(set = 1, binding = RESHADE_DRIVES) readonly buffer Drives { Drive drives[]; };
+layout(set = 1, binding = RESHADE_DRIVE_VALUES) readonly buffer DriveValues { float driveValues[]; };
 
 #include "shaders/lib/path.glsl"
 #include "shaders/lib/pixels.glsl"
@@ -23,7 +25,7 @@ PathVertex cameraVertex(ivec2 pixel) {
     vec3 p = frontPosition(pixel);
     vec3 wo = normalize(-p);
     vec3 n = shading_normal(texelFetch(frontNormalMap, pixel, 0).xyz, wo);
-    return PathVertex(p, n, wo, uint(texelFetch(frontPatchMap, pixel, 0).w), kPathPrimary, 1.0);
+    return PathVertex(p, n, wo, uint(texelFetch(frontPatchMap, pixel, 0).w), pixel, kPathPrimary, 1.0);
 }
 
 void main() {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -6,6 +7,7 @@
 #include "app/cli/devices.h"
 #include "app/cli/session.h"
 #include "core/analysis_notes.h"
+#include "core/drives.h"
 #include "core/io/cryptomatte.h"
 #include "core/io/image_io.h"
 
@@ -71,14 +73,29 @@ const Layer* findLayer(std::span<const Layer> layers, const std::string& name) {
          {std::span<const Layer>(kInputLayers), std::span<const Layer>(kAnalysisLayers)})
         for (const Layer& layer : layers) known += std::string(layer.name) + ", ";
     throw core::Error(core::ErrorKind::Usage, "There is no layer \"" + name + "\", expected one of " + known +
-                                                  "reflected:LABEL, incident:LABEL.");
+                                                  "reflected:LABEL, incident:LABEL, parameter:LABEL:NAME.");
+}
+
+/// A parameter of an edit, with its drives: colours as colours, scalars as they are.
+void saveParameter(const core::Scene& scene, const Analysis& analysis, const core::Segment& segment,
+                   const std::string& parameter, const std::string& path) {
+    constexpr float kTenThousandths = 10000;
+    const core::ImageRgb values = core::effectiveParameter(scene, analysis, segment, parameter);
+    const std::vector<core::DriveParameter> known = core::driveParameters(*segment.edit);
+    if (std::ranges::find(known, parameter, &core::DriveParameter::key)->color) return core::saveColor(values, path);
+    core::ImageF scalars(values.width(), values.height());
+    for (std::size_t i = 0; i < scalars.size(); ++i) scalars[i] = values[i].x();
+    core::saveScalar(scalars, path, "Y", kTenThousandths);
 }
 
 void exportLayer(const std::string& project, const std::string& name, const std::string& output,
                  const Session& session) {
     const std::size_t colon = name.find(':');
     const std::string kind = name.substr(0, colon);
-    const bool perSegment = kind == "reflected" || kind == "incident";
+    const bool parameter = kind == "parameter";
+    const bool perSegment = kind == "reflected" || kind == "incident" || parameter;
+    const std::size_t last = parameter ? name.rfind(':') : std::string::npos;
+    if (parameter && (colon == std::string::npos || last == colon)) failUnknownLayer(name);
     const Layer* input = findLayer(kInputLayers, name);
     const Layer* analysed = findLayer(kAnalysisLayers, name);
     if (perSegment ? colon == std::string::npos : input == nullptr && analysed == nullptr) failUnknownLayer(name);
@@ -90,8 +107,9 @@ void exportLayer(const std::string& project, const std::string& name, const std:
 
     std::optional<std::uint16_t> label;
     if (perSegment) {
-        const core::Segment& segment = requireSegment(scene, name.substr(colon + 1));
-        if (!segment.glossy)
+        const core::Segment& segment =
+            requireSegment(scene, name.substr(colon + 1, parameter ? last - colon - 1 : std::string::npos));
+        if (!parameter && !segment.glossy)
             throw core::Error(core::ErrorKind::Usage,
                               "The segment \"" + segment.name + "\" is not glossy, so it has no " + kind + " light.");
         label = segment.label;
@@ -99,6 +117,7 @@ void exportLayer(const std::string& project, const std::string& name, const std:
     const std::shared_ptr<const Analysis> analysis = analyse(scene, session);
     printNotes(core::analysisNotes(scene, *analysis));
     if (!perSegment) return analysed->save(scene, *analysis, output);
+    if (parameter) return saveParameter(scene, *analysis, *scene.findSegment(*label), name.substr(last + 1), output);
     const core::Reflectance* reflectance = analysis->findReflectance(*label);
     if (reflectance == nullptr)
         throw core::Error(core::ErrorKind::Input, "The segment \"" + name.substr(colon + 1) +
@@ -129,6 +148,8 @@ void addExport(CLI::App& app, Session& session) {
         "  back-normals     normals of the back sides\n"
         "  reflected:LABEL  light reflected by a glossy segment, by mirrored view direction (latitude-longitude)\n"
         "  incident:LABEL   light that arrives at a glossy segment (latitude-longitude)\n"
+        "  parameter:LABEL:NAME  parameter of a segment's edit, with its drives, in every pixel (alpha, albedo, ...);\n"
+        "                   PNG: colours sRGB, others in 1/10000\n"
         "  environment      the recovered distant light (latitude-longitude; EXR has the coverage as a channel)\n"
         "  coverage         how many pixels saw each direction of the environment; 0 = interpolated\n\n"
         "The format follows the extension: .exr, .png, .tif, .jpg, .hdr.");

@@ -10,6 +10,7 @@
 #include "app/cli/session.h"
 #include "core/analysis_notes.h"
 #include "core/brdf.h"
+#include "core/drives.h"
 #include "core/io/image_io.h"
 #include "core/io/project.h"
 #include "core/metals.h"
@@ -75,8 +76,9 @@ void render(const Arguments& args, bool samplesGiven, bool bouncesGiven, bool se
         scene.backDepthPath = args.backDepth;
         scene.backDepth = core::loadBackDepth(args.backDepth, scene.photo->camera);
     }
-    refuseOverwritingInput(scene, args.project, args.output);
     for (const auto& [label, material] : edits.materials) requireSegment(scene, label).edit = material;
+    core::requireMasksFit(scene);
+    refuseOverwritingInput(scene, args.project, args.output);
     for (const auto& [label, rho] : edits.reflectances) requireSegment(scene, label).reflectance = rho;
     if (samplesGiven) scene.render.samples = args.samples;
     if (bouncesGiven) scene.render.bounces = args.bounces;
@@ -131,7 +133,14 @@ void addRender(CLI::App& app, Session& session) {
         "  \"blend\"         {\"new\": 1, \"original\": 0}, weights of the new and the old picture\n"
         "  \"translucency\"  {\"preset\": \"marble\"}, {\"sigma_a\": [..], \"sigma_s_prime\": [..]} in 1/mm, or\n"
         "                  {\"diffuse_color\": [..], \"mean_free_path_mm\": [..]}; each with \"eta\", \"scale\", "
-        "\"weight\"\n\n"
+        "\"weight\"\n"
+        "  \"drives\"        parameters that vary over the segment, a list of {\"parameter\": \"alpha\", \"mask\": "
+        "\"FILE\",\n"
+        "                  \"from\": 0.05, \"to\": 0.5, \"invert\": false, \"contrast\": 1}: the values where the mask "
+        "is 0 and 1,\n"
+        "                  of colours [r, g, b] or a factor; {\"parameter\": \"albedo\", \"source\": \"luminance\", "
+        "\"strength\": 1}\n"
+        "                  keeps the photograph's texture\n\n"
         "BRDFs and their parameters:\n" +
         brdfWords() +
         "\nThe same project, options, seed and device give the same bytes.\n\n"

@@ -12,6 +12,7 @@
 #include <mutex>
 
 #include "core/io/project.h"
+#include "core/mask.h"
 
 namespace cli {
 
@@ -124,8 +125,14 @@ core::Segment& requireSegment(core::Scene& scene, const std::string& labelOrName
 
 void refuseOverwritingInput(const core::Scene& scene, const std::string& project, const std::string& output) {
     const core::PhotoSource& source = scene.photo->source;
-    for (const std::string& input :
-         {project, source.color, source.depth, source.segments, scene.environment.path, scene.backDepthPath}) {
+    std::vector<std::string> inputs{project,         source.color,           source.depth,
+                                    source.segments, scene.environment.path, scene.backDepthPath};
+    for (const core::Segment& segment : scene.segments) {
+        if (!segment.edit) continue;
+        for (const core::Drive& drive : segment.edit->drives)
+            if (drive.mask) inputs.push_back(drive.mask->path());
+    }
+    for (const std::string& input : inputs) {
         std::error_code code;
         if (input.empty() || !std::filesystem::equivalent(input, output, code) || code) continue;
         throw core::Error(core::ErrorKind::Usage,

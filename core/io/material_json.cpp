@@ -2,6 +2,7 @@
 #include "core/io/material_json.h"
 
 #include "core/brdf.h"
+#include "core/io/drive_json.h"
 #include "core/io/json_reader.h"
 #include "core/io/project.h"
 #include "core/metals.h"
@@ -107,7 +108,7 @@ ordered_json writeTranslucency(const Translucency& t) {
 
 }  // namespace
 
-Material readMaterial(const json& value, const std::string& place, ErrorKind kind) {
+Material readMaterial(const json& value, const std::string& place, ErrorKind kind, MaskLoader& masks) {
     JsonReader reader(value, place, kind);
     reader.require("brdf");
     const std::size_t index = *reader.readChoice("brdf", brdfKeys());
@@ -148,11 +149,12 @@ Material readMaterial(const json& value, const std::string& place, ErrorKind kin
     }
     if (const json* translucency = reader.find("translucency"); translucency != nullptr && !translucency->is_null())
         material.translucency = readTranslucency(*translucency, reader.place("translucency"), kind);
+    if (const json* drives = reader.find("drives")) readDrives(*drives, reader.place("drives"), kind, masks, material);
     reader.finish(parameterHint(brdf));
     return material;
 }
 
-ordered_json writeMaterial(const Material& material) {
+ordered_json writeMaterial(const Material& material, const std::function<std::string(const std::string&)>& filePath) {
     ordered_json result;
     const BrdfInfo* brdf = findBrdf(material.brdf);
     CORE_ASSERT(brdf != nullptr, "a material's BRDF is one of the list");
@@ -171,11 +173,13 @@ ordered_json writeMaterial(const Material& material) {
     }
     result["blend"] = {{"new", toJson(material.blendNew)}, {"original", toJson(material.blendOriginal)}};
     if (material.translucency) result["translucency"] = writeTranslucency(*material.translucency);
+    if (!material.drives.empty()) result["drives"] = writeDrives(material, filePath);
     return result;
 }
 
 Material materialFromJson(const std::string& text) {
-    return readMaterial(parseJson(text, ErrorKind::Usage), "", ErrorKind::Usage);
+    MaskLoader masks;
+    return readMaterial(parseJson(text, ErrorKind::Usage), "", ErrorKind::Usage, masks);
 }
 
 std::string materialToJson(const Material& material) { return writeMaterial(material).dump(); }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "core/drives.h"
 #include "core/io/atomic_file.h"
 #include "core/io/image_io.h"
 #include "core/io/json_reader.h"
@@ -79,7 +80,7 @@ PhotoRequest readPhoto(const json& value, const PathReader& paths) {
     return request;
 }
 
-Segment readSegment(const json& value, const std::string& place) {
+Segment readSegment(const json& value, const std::string& place, MaskLoader& masks) {
     JsonReader reader(value, place, ErrorKind::Input);
     Segment segment;
     reader.require("label");
@@ -111,12 +112,12 @@ Segment readSegment(const json& value, const std::string& place) {
         segment.lobeWidth = alpha;
     }
     if (const json* edit = reader.find("edit"))
-        segment.edit = readMaterial(*edit, reader.place("edit"), ErrorKind::Input);
+        segment.edit = readMaterial(*edit, reader.place("edit"), ErrorKind::Input, masks);
     reader.finish();
     return segment;
 }
 
-void readSegments(const json& list, Scene& scene) {
+void readSegments(const json& list, MaskLoader masks, Scene& scene) {
     if (!list.is_array()) throw Error(ErrorKind::Input, "\"segments\" is no list [...].");
     std::set<std::uint16_t> labels;
     std::set<std::string> names;
@@ -125,7 +126,7 @@ void readSegments(const json& list, Scene& scene) {
         if (label != 0 && (present.empty() || !present.contains(label))) present.insert(label);
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string place = "segments[" + std::to_string(i) + "]";
-        Segment segment = readSegment(list[i], place);
+        Segment segment = readSegment(list[i], place, masks);
         if (!present.contains(segment.label))
             throw Error(ErrorKind::Input, "\"" + place + ".label\" is " + std::to_string(segment.label) +
                                               ", but the label map \"" + scene.photo->source.segments +
@@ -202,7 +203,10 @@ Scene readProject(const std::string& path, std::vector<std::string>* notes) {
     if (filter != nullptr) readDepthFilter(*filter, scene.depthFilter);
     if (render != nullptr) readRender(*render, scene.render);
     scene.photo = loadPhoto(request, notes);
-    if (segments != nullptr) readSegments(*segments, scene);
+    if (segments != nullptr) {
+        readSegments(*segments, MaskLoader(fs::path(path).parent_path().string()), scene);
+        requireMasksFit(scene);
+    }
     addMissingSegments(scene);
     if (environment != nullptr) readEnvironment(*environment, paths, scene.environment);
     if (!scene.backDepthPath.empty()) scene.backDepth = loadBackDepth(scene.backDepthPath, scene.photo->camera);
@@ -217,7 +221,7 @@ std::string relativeTo(const fs::path& folder, const std::string& path) {
     return (code || relative.empty() ? fs::absolute(path) : relative).generic_string();
 }
 
-ordered_json writeSegment(const Segment& segment) {
+ordered_json writeSegment(const Segment& segment, const fs::path& folder) {
     ordered_json result;
     result["label"] = segment.label;
     result["name"] = segment.name;
@@ -229,7 +233,9 @@ ordered_json writeSegment(const Segment& segment) {
                            {"min_thickness", toJson(segment.backSide.minThickness)}};
     if (segment.reflectance) result["reflectance"] = toJson(*segment.reflectance);
     if (segment.lobeWidth) result["lobe_width"] = toJson(*segment.lobeWidth);
-    if (segment.edit) result["edit"] = writeMaterial(*segment.edit);
+    if (segment.edit)
+        result["edit"] =
+            writeMaterial(*segment.edit, [&](const std::string& file) { return relativeTo(folder, file); });
     return result;
 }
 
@@ -250,7 +256,7 @@ ordered_json writeScene(const Scene& scene, const fs::path& folder) {
                            {"cx", toJson(photo.camera.cx)},
                            {"cy", toJson(photo.camera.cy)}};
     result["segments"] = ordered_json::array();
-    for (const Segment& segment : scene.segments) result["segments"].push_back(writeSegment(segment));
+    for (const Segment& segment : scene.segments) result["segments"].push_back(writeSegment(segment, folder));
     result["depth_filter"] = {{"enabled", scene.depthFilter.enabled},
                               {"automatic", scene.depthFilter.automatic},
                               {"spatial_sigma", toJson(scene.depthFilter.spatialSigma)},
@@ -314,7 +320,7 @@ void saveProject(const Scene& scene, const std::string& path) {
     fs::path folder = fs::path(path).parent_path();
     if (folder.empty()) folder = fs::current_path(code);
     try {
-        writeFileAtomically(path, writeScene(scene, folder).dump(2) + "\n");
+        writeFileAtomically(path, writeScene(withSavedMasks(scene, path), folder).dump(2) + "\n");
     } catch (const json::exception&) {
         throw Error(ErrorKind::Output,
                     "Cannot write \"" + path + "\": a file or segment name in it is not valid UTF-8.");

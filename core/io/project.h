@@ -53,6 +53,7 @@ inline constexpr float kMaxDepth = 10000.0f;
 [[nodiscard]] Scene loadProject(const std::string& path, std::vector<std::string>* notes = nullptr);
 
 /// Writes atomically: a temporary file beside the target, flushed, then renamed; the old file survives any failure.
+/// Painted masks are written first (core/io/mask_io.h).
 void saveProject(const Scene& scene, const std::string& path);
 
 /// One `--edit` value (DESIGN section 5) as JSON text to a material and back. Throws Error(Usage) naming the key.

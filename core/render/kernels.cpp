@@ -22,11 +22,14 @@ BrdfPipeline::BrdfPipeline(const gpu::Device& device, std::string label, std::sp
           {.label = label_, .bindGroupLayouts = std::move(groups), .pushConstantSize = pushConstantSize})),
       module_(device.createShaderModule({.label = label_, .code = code})) {}
 
-void BrdfPipeline::use(std::uint32_t brdfs) {
-    brdfs_ = brdfs;
-    if (pipelines_.contains(brdfs)) return;
-    pipelines_[brdfs] = device_.createComputePipeline(
-        {.label = label_, .layout = layout_, .module = module_, .constants = {{"0", static_cast<double>(brdfs)}}});
+void BrdfPipeline::use(std::uint32_t brdfs, bool driven) {
+    chosen_ = {brdfs, driven};
+    if (pipelines_.contains(chosen_)) return;
+    pipelines_[chosen_] =
+        device_.createComputePipeline({.label = label_,
+                                       .layout = layout_,
+                                       .module = module_,
+                                       .constants = {{"0", static_cast<double>(brdfs)}, {"1", driven ? 1.0 : 0.0}}});
 }
 
 gpu::ComputePipeline makePipeline(const gpu::Device& device, const std::string& label,

@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gpu/device.h"
@@ -31,18 +32,20 @@ class BrdfPipeline {
     BrdfPipeline(const gpu::Device& device, std::string label, std::span<const std::uint32_t> code,
                  std::vector<gpu::BindGroupLayout> groups, std::uint32_t pushConstantSize);
 
-    /// Chooses the BRDFs, bit = id in shaders/brdf/registry.h. Compiles when there is no pipeline for them yet.
-    void use(std::uint32_t brdfs);
-    /// For the BRDFs chosen last.
-    [[nodiscard]] const gpu::ComputePipeline& pipeline() const { return pipelines_.at(brdfs_); }
+    /// Chooses the BRDFs, bit = id in shaders/brdf/registry.h, and whether parameters vary over segments. Compiles when
+    /// there is no pipeline for them yet.
+    void use(std::uint32_t brdfs, bool driven);
+    /// For what was chosen last.
+    [[nodiscard]] const gpu::ComputePipeline& pipeline() const { return pipelines_.at(chosen_); }
 
   private:
     gpu::Device device_;
     std::string label_;
     gpu::PipelineLayout layout_;
     gpu::ShaderModule module_;
-    std::uint32_t brdfs_ = 0;
-    std::map<std::uint32_t, gpu::ComputePipeline> pipelines_;
+    using Choice = std::pair<std::uint32_t, bool>;
+    Choice chosen_;
+    std::map<Choice, gpu::ComputePipeline> pipelines_;
 };
 
 /// A pipeline whose groups have the given bindings. Every kernel that reads the scene has the geometry in group 0.

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
+#include "core/drives.h"
 #include "core/reference_renderer.h"
 #include "core/render/kernels.h"
 #include "core/render/passes/composite_pass.h"
@@ -86,6 +88,8 @@ struct Renderer::Impl {
     core::Scene scene;
     std::shared_ptr<const core::Analysis> analysis;
     std::vector<kernel::SegmentShading> shading;
+    core::DriveTable drives;
+    std::vector<core::DrivePlane> uploadedPlanes;  ///< what `paths.driveValues` holds
     bool layersStale = false;
     bool environmentStale = false;
     bool shadingStale = false;
@@ -97,7 +101,9 @@ struct Renderer::Impl {
     void setScene(const core::Scene& next, std::shared_ptr<const core::Analysis> nextAnalysis);
     [[nodiscard]] std::vector<kernel::SegmentShading> shadingTable(const core::Scene& s, const core::Analysis& a) const;
     void updateSegment(SegmentState& state, const core::Segment& segment);
+    [[nodiscard]] std::vector<DriveKey> driveKeys(const core::Segment* only) const;
     void upload();
+    void uploadDrives();
     void prepareTargets();
     void preparePixels(SegmentState& state);
     void prepareSilhouette(SegmentState& state);
@@ -136,6 +142,8 @@ void Renderer::Impl::setScene(const core::Scene& next, std::shared_ptr<const cor
     geometry.requireFits(static_cast<std::uint32_t>(next.photo->color.width()),
                          static_cast<std::uint32_t>(next.photo->color.height()));
     std::vector<kernel::SegmentShading> table = shadingTable(next, *nextAnalysis);
+    core::DriveTable nextDrives = core::buildDrives(next, *nextAnalysis, table);
+    geometry.requireBufferFits("varying parameters", nextDrives.valueCount * sizeof(float));
 
     const bool newLayers = !analysis || next.photo != scene.photo || nextAnalysis->front != analysis->front ||
                            nextAnalysis->back != analysis->back;
@@ -151,6 +159,7 @@ void Renderer::Impl::setScene(const core::Scene& next, std::shared_ptr<const cor
     scene = next;
     analysis = std::move(nextAnalysis);
     shading = std::move(table);
+    drives = std::move(nextDrives);
     shadingStale = true;
 
     std::vector<SegmentState> kept;
@@ -173,9 +182,26 @@ void Renderer::Impl::setScene(const core::Scene& next, std::shared_ptr<const cor
     for (SegmentState& state : segments) state.silhouette = {};  // who borders on whom
 }
 
+std::vector<DriveKey> Renderer::Impl::driveKeys(const core::Segment* only) const {
+    std::vector<DriveKey> keys;
+    for (const core::Segment& segment : scene.segments) {
+        if (only != nullptr && segment.label != only->label) continue;
+        const kernel::uvec4 range = shading[segment.label].drives;
+        for (std::uint32_t i = range.x; i < range.x + range.y; ++i) {
+            const core::DrivePlane& plane = drives.planes[drives.planeOf[i]];
+            // The weights of the camera's own surface are the composite's.
+            if (only != nullptr && drives.drives[i].slot >= kernel::kDriveBlendNew) continue;
+            std::shared_ptr<const void> source = plane.mask;
+            if (!plane.mask) source = plane.detail;
+            keys.push_back({segment.label, drives.drives[i], std::move(source)});
+        }
+    }
+    return keys;
+}
+
 void Renderer::Impl::updateSegment(SegmentState& state, const core::Segment& segment) {
     const core::Material& material = *segment.edit;
-    if (!(state.material == material)) state.compositeStale = true;
+    if (!(state.material == material) || !material.drives.empty()) state.compositeStale = true;
     state.material = material;
 
     SumKey key;
@@ -186,9 +212,12 @@ void Renderer::Impl::updateSegment(SegmentState& state, const core::Segment& seg
         kernel::SegmentShading own{};
         own.brdf = shading[segment.label].brdf;
         key.shading = {own};
+        key.drives = driveKeys(&segment);
     } else {
         key.shading = shading;
-        lightKey.shading = shading;
+        key.drives = driveKeys(nullptr);
+        lightKey.shading = key.shading;
+        lightKey.drives = key.drives;
     }
     if (!key.same(state.reshadeKey) || state.samples > targetSamples()) {
         state.reshadeKey = std::move(key);
@@ -249,14 +278,15 @@ void Renderer::Impl::upload() {
             paths.shading = makeBuffer(device, "segment shading", gpu::BufferUsage::Storage, shading);
             for (SegmentState& state : segments) state.reshadeGroup = state.irradianceGroup = {};
         }
+        uploadDrives();
         shadingStale = false;
     }
     if (!segments.empty()) {
         std::uint32_t brdfs = 0;
         for (const kernel::SegmentShading& entry : shading) brdfs |= 1u << entry.brdf.type;
-        reshade.useBrdfs(brdfs);
+        reshade.useBrdfs(brdfs, !drives.empty());
         if (std::any_of(segments.begin(), segments.end(), [](const SegmentState& s) { return s.translucent(); }))
-            translucency.useBrdfs(brdfs);
+            translucency.useBrdfs(brdfs, !drives.empty());
     }
     prepareTargets();
     for (SegmentState& state : segments) {
@@ -268,9 +298,48 @@ void Renderer::Impl::upload() {
             state.filterBound = true;
         }
         if (!state.silhouette.buffer) prepareSilhouette(state);
-        if (!state.silhouetteGroup) state.silhouetteGroup = silhouette.bind(state.silhouette, targets);
-        if (!state.compositeGroup) state.compositeGroup = composite.bind(state.pixels, targets);
+        if (!state.silhouetteGroup) state.silhouetteGroup = silhouette.bind(paths, state.silhouette, targets);
+        if (!state.compositeGroup) state.compositeGroup = composite.bind(paths, state.pixels, targets);
     }
+}
+
+void Renderer::Impl::uploadDrives() {
+    const auto dropGroups = [&] {
+        for (SegmentState& state : segments)
+            state.reshadeGroup = state.irradianceGroup = state.compositeGroup = state.silhouetteGroup = {};
+    };
+    if (!paths.drives || paths.drives.size() < drives.drives.size() * sizeof(kernel::Drive)) {
+        paths.drives = makeBuffer(device, "drives", gpu::BufferUsage::Storage, drives.drives);
+        dropGroups();
+    } else if (!drives.empty()) {
+        device.queue().writeBuffer(paths.drives, 0, drives.drives);
+    }
+    const auto samePlace = [](const core::DrivePlane& a, const core::DrivePlane& b) {
+        return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height && a.offset == b.offset;
+    };
+    const bool inPlace = paths.driveValues && std::equal(drives.planes.begin(), drives.planes.end(),
+                                                         uploadedPlanes.begin(), uploadedPlanes.end(), samePlace);
+    if (!inPlace) {
+        paths.driveValues = makeBuffer(device, "drive values", gpu::BufferUsage::Storage, drives.values());
+        dropGroups();
+    }
+    for (std::size_t i = 0; inPlace && i < drives.planes.size(); ++i) {
+        const core::DrivePlane& plane = drives.planes[i];
+        const core::DrivePlane& old = uploadedPlanes[i];
+        if (plane.mask == old.mask && plane.detail == old.detail) continue;
+        int first = plane.y;
+        int last = plane.y + plane.height;
+        if (plane.mask && old.mask) std::tie(first, last) = plane.mask->changedRows(*old.mask);
+        first = std::max(first - plane.y, 0);
+        last = std::min(last - plane.y, plane.height);
+        if (first >= last) continue;
+        const auto width = static_cast<std::size_t>(plane.width);
+        std::vector<float> rows(width * static_cast<std::size_t>(last - first));
+        plane.copyRows(first, last - first, rows);
+        device.queue().writeBuffer(paths.driveValues,
+                                   (plane.offset + width * static_cast<std::size_t>(first)) * sizeof(float), rows);
+    }
+    uploadedPlanes = drives.planes;
 }
 
 void Renderer::Impl::prepareTargets() {
@@ -541,10 +610,18 @@ void Renderer::Impl::recordComposite(const gpu::CommandEncoder& encoder, Segment
                                        .translucentWeight = state.translucent() ? material.translucency->weight : 0.0f,
                                        .area = state.points.area,
                                        .eta = state.dipoleParams.alphaPrime.w,
-                                       .translucent = state.translucent() ? 1u : 0u};
+                                       .translucent = state.translucent() ? 1u : 0u,
+                                       .firstDrive = shading[state.label].drives.z,
+                                       .driveCount = shading[state.label].drives.w,
+                                       .pad0 = 0,
+                                       .pad1 = 0};
     const auto region = timer.measure(encoder, "composite", state.pixels.count);
     composite.record(encoder, geometry, state.compositeGroup, block);
-    silhouette.record(encoder, geometry, state.silhouetteGroup, state.silhouette.count, material.blendOriginal);
+    silhouette.record(encoder, geometry, state.silhouetteGroup,
+                      {.pixelCount = state.silhouette.count,
+                       .blendOriginal = material.blendOriginal,
+                       .firstDrive = block.firstDrive,
+                       .driveCount = block.driveCount});
 }
 
 void Renderer::Impl::recordDroppedReadback(const gpu::CommandEncoder& encoder) {

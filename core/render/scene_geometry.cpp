@@ -65,6 +65,14 @@ void SceneGeometry::requireFits(std::uint32_t width, std::uint32_t height) const
              std::to_string(9 * bytes));
 }
 
+void SceneGeometry::requireBufferFits(const char* what, std::uint64_t bytes) const {
+    if (bytes > device_.limits().maxStorageBufferBindingSize)
+        throw gpu::Error(gpu::ErrorKind::OutOfMemory,
+                         std::string("The ") + what + " need " + std::to_string(bytes) +
+                             " bytes, and a buffer of the device \"" + device_.adapterInfo().name + "\" has at most " +
+                             std::to_string(device_.limits().maxStorageBufferBindingSize) + ".");
+}
+
 gpu::Texture SceneGeometry::upload(const char* label, std::uint32_t width, std::uint32_t height,
                                    const std::vector<float>& texels) const {
     const gpu::Texture texture = device_.createTexture(

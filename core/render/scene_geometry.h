@@ -34,6 +34,8 @@ class SceneGeometry {
 
     /// Throws gpu::Error(OutOfMemory) when a picture of this size is larger than the device allows.
     void requireFits(std::uint32_t width, std::uint32_t height) const;
+    /// The same for a buffer; `what` is a noun in the plural.
+    void requireBufferFits(const char* what, std::uint64_t bytes) const;
     /// Uploads only what rays march through; colours, normals and light are black. The mark is the label.
     void setPatches(const core::DepthLayers& layers);
     /// Uploads a new picture. `markOf` says what the kernels see as a label (an index into their material table).

@@ -17,12 +17,19 @@ bool equal(const kernel::SegmentShading& a, const kernel::SegmentShading& b) {
            a.brdf.type == b.brdf.type && equal(a.diffuse, b.diffuse) && equal(a.blend, b.blend);
 }
 
+bool equal(const DriveKey& a, const DriveKey& b) {
+    return a.label == b.label && a.source == b.source && a.drive.slot == b.drive.slot &&
+           equal(a.drive.from, b.drive.from) && equal(a.drive.to, b.drive.to) && equal(a.drive.range, b.drive.range);
+}
+
 }  // namespace
 
 bool SumKey::same(const SumKey& other) const {
     return seed == other.seed && bounces == other.bounces && surfaceSamples == other.surfaceSamples &&
            irradianceSamples == other.irradianceSamples && eta == other.eta &&
            std::equal(shading.begin(), shading.end(), other.shading.begin(), other.shading.end(),
+                      [](const auto& a, const auto& b) { return equal(a, b); }) &&
+           std::equal(drives.begin(), drives.end(), other.drives.begin(), other.drives.end(),
                       [](const auto& a, const auto& b) { return equal(a, b); });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/material.h"
@@ -12,9 +13,17 @@
 
 namespace render {
 
+/// A drive as far as sums depend on it: not where its values lie on the device.
+struct DriveKey {
+    std::uint16_t label = 0;
+    kernel::Drive drive;
+    std::shared_ptr<const void> source;  ///< mask or detail
+};
+
 /// Everything a sum depends on. A sum is restarted exactly when the key it was begun with is no longer the key.
 struct SumKey {
     std::vector<kernel::SegmentShading> shading;  ///< own BRDF only with one bounce, all segments with more
+    std::vector<DriveKey> drives;                 ///< of the same segments
     std::uint32_t seed = 0;
     int bounces = 0;
     int surfaceSamples = 0;     ///< light on surface samples only

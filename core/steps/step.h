@@ -53,7 +53,19 @@ class Hash {
 };
 
 /// What steps exchange. The first row comes with the scene, the second is computed.
-enum class Item { Photo, UserBackDepth, UserEnvironment, Depth, Front, Back, Layers, Reflectances, Environment, Count };
+enum class Item {
+    Photo,
+    UserBackDepth,
+    UserEnvironment,
+    Depth,
+    Front,
+    Back,
+    Layers,
+    Reflectances,
+    Environment,
+    TextureDetail,
+    Count
+};
 
 /// Depth after the filter.
 struct FilteredDepth {
@@ -86,6 +98,7 @@ struct Board {
     std::vector<std::shared_ptr<const Reflectance>> reflectances;        ///< Item::Reflectances, both
     std::vector<std::shared_ptr<const SegmentReflections>> reflections;  ///< what they came from
     std::shared_ptr<const DirectionalMap> environment;
+    std::shared_ptr<const ImageF> textureDetail;
 
     std::uint64_t layersKey = 0;  ///< content of Item::Layers, for `reflectanceCache`
     std::map<std::uint16_t, CachedReflectance> reflectanceCache;
@@ -101,11 +114,12 @@ struct Step {
                 const StepContext&) = nullptr;  ///< computes; writes its item last, so that a stop leaves the old
 };
 
-Step filterDepthStep();  ///< Photo → Depth: joint bilateral filter, small holes (DESIGN 3.1)
-Step surfaceStep();      ///< Depth → Front: normals, positions, patch areas (DESIGN 3.1)
-Step backSideStep();     ///< Front → Back: the unseen side (DESIGN 3.2)
-Step depthLayersStep();  ///< Front, Back → Layers: what rays march through
-Step reflectanceStep();  ///< Layers → Reflectances: L_S, L_G and ρ of every glossy segment (DESIGN 3.3)
-Step environmentStep();  ///< Reflectances → Environment (DESIGN 3.4)
+Step filterDepthStep();    ///< Photo → Depth: joint bilateral filter, small holes (DESIGN 3.1)
+Step surfaceStep();        ///< Depth → Front: normals, positions, patch areas (DESIGN 3.1)
+Step backSideStep();       ///< Front → Back: the unseen side (DESIGN 3.2)
+Step depthLayersStep();    ///< Front, Back → Layers: what rays march through
+Step reflectanceStep();    ///< Layers → Reflectances: L_S, L_G and ρ of every glossy segment (DESIGN 3.3)
+Step environmentStep();    ///< Reflectances → Environment (DESIGN 3.4)
+Step textureDetailStep();  ///< Front → TextureDetail: the photograph's texture apart from its shading
 
 }  // namespace core::steps

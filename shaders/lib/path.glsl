@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The path loop, twin of core/reference_renderer.h. The includer declares `SegmentShading shading[]`.
+// The path loop, twin of core/reference_renderer.h. The includer declares `SegmentShading shading[]`, `Drive drives[]`
+// and `float driveValues[]`.
 #ifndef PATINA_PATH_GLSL
 #define PATINA_PATH_GLSL
 
+#include "shaders/lib/drives.glsl"
 #include "shaders/lib/list.glsl"
 #include "shaders/lib/march.glsl"
 #include "shaders/shared/path.h"
 #include "shaders/shared/rng.h"
 
+// Whether any segment has drives: what is not needed is not compiled.
+layout(constant_id = 1) const uint kDriven = 1u;
+
 // A surface point on a path.
 struct PathVertex {
-    vec3 p;      // [m]
-    vec3 n;      // shading normal, dot(n, wo) > 0
+    vec3 p;       // [m]
+    vec3 n;       // shading normal, dot(n, wo) > 0
     vec3 wo;
     uint label;
-    uint role;   // shaders/shared/path.h
-    float eta;   // of the boundary, for kPathEnter
+    ivec2 pixel;  // that shows it; not for kPathEnter
+    uint role;    // shaders/shared/path.h
+    float eta;    // of the boundary, for kPathEnter
 };
 
 // Where its random numbers come from.
@@ -28,14 +34,25 @@ struct PathId {
 // Distance a ray's origin is lifted off the surface, core::marchBias.
 float marchBias(float z) { return z / (geometry.camera.x + geometry.camera.y); }
 
+// How a segment is shaded in one pixel.
+SegmentShading shadingAt(uint label, ivec2 pixel) {
+    SegmentShading s = shading[label];
+    if (kDriven != 0u)
+        for (uint i = 0u; i < s.drives.y; ++i)
+            s = drive_apply(s, drives[s.drives.x + i].slot, driveAt(s.drives.x + i, pixel));
+    return s;
+}
+
 // Where the path goes on from surface b, and the factor on what arrives from there. light: rgb = the environment in that
 // direction, w < 0 = not looked up.
 vec3 leave(PathVertex v, PathId id, uint b, out vec3 direction, out vec4 light) {
     vec3 wo = to_local(v.n, v.wo);
     vec2 u = b == 0u ? rng_lattice(id.pixel, id.sampleIndex, 0u, id.seed)
                      : rng_vec2(id.pixel, id.sampleIndex, 2u * b, id.seed);
+    SegmentShading s = shading[v.label];
+    if (kDriven != 0u && v.role != kPathEnter) s = shadingAt(v.label, v.pixel);
     vec3 weight;
-    vec3 wi = path_scatter(shading[v.label], v.role, v.eta, wo, u, weight);
+    vec3 wi = path_scatter(s, v.role, v.eta, wo, u, weight);
     direction = normalize(from_local(v.n, wi));
     light = vec4(0.0, 0.0, 0.0, -1.0);
     if (sliceValue(geometry.environmentSampled) == 0u) return weight;
@@ -46,12 +63,12 @@ vec3 leave(PathVertex v, PathId id, uint b, out vec3 direction, out vec4 light) 
     vec4 seen = environmentLight(found.xyz);
     light = environmentLight(direction);
     PathCandidate own = PathCandidate(weight, 0.0, light.w, luminance(light.rgb) + geometry.meanLuminance);
-    if (wi.z > 0.0) own.pdf = path_pdf(shading[v.label], v.role, wo, wi);
+    if (wi.z > 0.0) own.pdf = path_pdf(s, v.role, wo, wi);
     PathCandidate bright = PathCandidate(vec3(0.0), 0.0, 0.0, luminance(seen.rgb) + geometry.meanLuminance);
     if (towards.z > 0.0 && found.w > 0.0) {
-        bright.weight = path_value(shading[v.label], v.role, v.eta, wo, towards) / found.w;
+        bright.weight = path_value(s, v.role, v.eta, wo, towards) / found.w;
         bright.pdf = found.w;
-        bright.otherPdf = path_pdf(shading[v.label], v.role, wo, towards);
+        bright.otherPdf = path_pdf(s, v.role, wo, towards);
     }
     uint chosen;
     weight = path_choose(own, bright, w.z, chosen);
@@ -82,7 +99,9 @@ vec3 pathRadiance(PathVertex v, PathId id, uint bounces) {
         vec3 color = hit.back ? texelFetch(backColorMap, hit.pixel, 0).rgb : texelFetch(frontColorMap, hit.pixel, 0).rgb;
         vec3 normal = hit.back ? texelFetch(backNormalMap, hit.pixel, 0).xyz : texelFetch(frontNormalMap, hit.pixel, 0).xyz;
         v.label = uint(texelFetch(frontPatchMap, hit.pixel, 0).w);
+        v.pixel = hit.pixel;
         vec4 blend = shading[v.label].blend;
+        if (kDriven != 0u && blend.w != 0.0) blend = shadingAt(v.label, v.pixel).blend;
         if (blend.w == 0.0 || b + 1u >= bounces || dot(normal, normal) == 0.0) {
             radiance += throughput * color;
             break;

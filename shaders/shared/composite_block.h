@@ -11,6 +11,8 @@
 #define COMPOSITE_FILTERED 3      // rgba32float: filtered colour
 #define COMPOSITE_DIFFUSION 4     // rgba32float: sum of E R_d, number of samples in it
 #define COMPOSITE_RESULT 5        // rgba32float
+#define COMPOSITE_DRIVES 6        // Drive
+#define COMPOSITE_DRIVE_VALUES 7  // float
 
 KERNEL_BEGIN
 
@@ -23,8 +25,12 @@ struct CompositeBlock {
     float area;        // of the segment's surface, front and back [m^2]
     float eta;         // relative index of refraction of the boundary
     uint translucent;  // 1: add translucentWeight times the translucent light
+    uint firstDrive;   // of those that vary the weights
+    uint driveCount;
+    uint pad0;
+    uint pad1;
 };
-KERNEL_BLOCK(CompositeBlock, 32)
+KERNEL_BLOCK(CompositeBlock, 48)
 
 KERNEL_END
 

@@ -5,10 +5,12 @@
 
 #include "shaders/shared/interop.h"
 
-#define IRRADIANCE_SHADING 0  // SegmentShading per label
-#define IRRADIANCE_DROPPED 1  // one uint: samples that were not finite
-#define IRRADIANCE_POINTS 2   // SurfacePoint per sample
-#define IRRADIANCE_SUMS 3     // vec4 per sample: sum of transmitted radiance
+#define IRRADIANCE_SHADING 0       // SegmentShading per label
+#define IRRADIANCE_DROPPED 1       // one uint: samples that were not finite
+#define IRRADIANCE_POINTS 2        // SurfacePoint per sample
+#define IRRADIANCE_SUMS 3          // vec4 per sample: sum of transmitted radiance
+#define IRRADIANCE_DRIVES 4        // Drive
+#define IRRADIANCE_DRIVE_VALUES 5  // float
 
 KERNEL_BEGIN
 

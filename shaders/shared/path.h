@@ -6,6 +6,7 @@
 
 #include "shaders/brdf/brdf.h"
 #include "shaders/shared/dipole.h"
+#include "shaders/shared/drive.h"
 #include "shaders/shared/sampling.h"
 
 KERNEL_BEGIN
@@ -16,8 +17,44 @@ struct SegmentShading {
     vec4 diffuse;  // rgb = albedo of the translucent body as other surfaces see it; w = 1: edited, else 0
     vec4 blend;    // x = weight of the new radiance, y = of the photograph, z = probability of the diffuse part at a
                    // hit, w = 1: paths go on here, else they end with the photograph's colour
+    uvec4 drives;  // x = first of the segment's drives that paths follow, y = how many;
+                   // z, w: those of the composite
 };
-KERNEL_BLOCK(SegmentShading, 160)
+KERNEL_BLOCK(SegmentShading, 176)
+
+/// Four scalar parameters of which number `i` is replaced.
+KERNEL_FN vec4 drive_replace(vec4 values, uint i, float value) {
+    if (i == 0u) values.x = value;
+    if (i == 1u) values.y = value;
+    if (i == 2u) values.z = value;
+    if (i == 3u) values.w = value;
+    return values;
+}
+
+/// The shading of a pixel in which the drive's parameter has this value.
+KERNEL_FN SegmentShading drive_apply(SegmentShading s, uint slot, vec3 value) {
+    if (slot < 4u)
+        s.brdf.values = drive_replace(s.brdf.values, slot, value.x);
+    else if (slot < 8u)
+        s.brdf.values2 = drive_replace(s.brdf.values2, slot - 4u, value.x);
+    else if (slot < 12u)
+        s.brdf.values3 = drive_replace(s.brdf.values3, slot - 8u, value.x);
+    else if (slot == kDriveAlbedo)
+        s.brdf.albedo = vec4(value, s.brdf.albedo.w);
+    else if (slot == kDriveSpecular)
+        s.brdf.specular = vec4(value, s.brdf.specular.w);
+    else if (slot == kDriveEta)
+        s.brdf.eta = vec4(value, s.brdf.eta.w);
+    else if (slot == kDriveK)
+        s.brdf.k = vec4(value, s.brdf.k.w);
+    else if (slot == kDriveBlendNew)
+        s.blend.x = value.x;
+    else if (slot == kDriveBlendOriginal)
+        s.blend.y = value.x;
+    else if (slot == kDriveDiffuse)
+        s.diffuse = vec4(value, s.diffuse.w);
+    return s;
+}
 
 /// What a path does at a surface.
 const uint kPathPrimary = 0u;  // the surface the camera sees, whose translucency is added elsewhere

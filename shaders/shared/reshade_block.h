@@ -10,6 +10,8 @@
 #define RESHADE_PIXELS 2        // the segment's pixels, x | y << 16
 #define RESHADE_ACCUMULATION 3  // rgba32float: sum of radiance, sum of squared luminance
 #define RESHADE_COUNT 4         // r32float: samples in the sum
+#define RESHADE_DRIVES 5        // Drive
+#define RESHADE_DRIVE_VALUES 6  // float
 
 KERNEL_BEGIN
 

@@ -5,9 +5,11 @@
 
 #include "shaders/shared/interop.h"
 
-#define SILHOUETTE_PIXELS 0  // MixedPixel
-#define SILHOUETTE_COUNT 1   // r32float: samples in the sum
-#define SILHOUETTE_RESULT 2  // rgba32float
+#define SILHOUETTE_PIXELS 0        // MixedPixel
+#define SILHOUETTE_COUNT 1         // r32float: samples in the sum
+#define SILHOUETTE_RESULT 2        // rgba32float
+#define SILHOUETTE_DRIVES 3        // Drive
+#define SILHOUETTE_DRIVE_VALUES 4  // float
 
 KERNEL_BEGIN
 
@@ -25,8 +27,8 @@ KERNEL_BLOCK(MixedPixel, 48)
 struct SilhouetteBlock {
     uint pixelCount;
     float blendOriginal;
-    uint pad0;
-    uint pad1;
+    uint firstDrive;  // of those that vary the weights
+    uint driveCount;
 };
 KERNEL_BLOCK(SilhouetteBlock, 16)
 

@@ -109,8 +109,13 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
          MEMBER(BrdfParams, pad0), MEMBER(BrdfParams, pad1), MEMBER(BrdfParams, pad2)},
         sizeof(kernel::BrdfParams));
     expectLayout(reshade_spv, "SegmentShading",
-                 {MEMBER(SegmentShading, brdf), MEMBER(SegmentShading, diffuse), MEMBER(SegmentShading, blend)},
+                 {MEMBER(SegmentShading, brdf), MEMBER(SegmentShading, diffuse), MEMBER(SegmentShading, blend),
+                  MEMBER(SegmentShading, drives)},
                  sizeof(kernel::SegmentShading));
+    expectLayout(reshade_spv, "Drive",
+                 {MEMBER(Drive, from), MEMBER(Drive, to), MEMBER(Drive, range), MEMBER(Drive, slot),
+                  MEMBER(Drive, offset), MEMBER(Drive, origin), MEMBER(Drive, stride)},
+                 sizeof(kernel::Drive));
     expectLayout(irradiance_spv, "IrradianceBlock",
                  {MEMBER(IrradianceBlock, firstPoint), MEMBER(IrradianceBlock, pointCount),
                   MEMBER(IrradianceBlock, firstRay), MEMBER(IrradianceBlock, rayCount), MEMBER(IrradianceBlock, label),
@@ -137,7 +142,8 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
         composite_spv, "CompositeBlock",
         {MEMBER(CompositeBlock, pixelCount), MEMBER(CompositeBlock, filtered), MEMBER(CompositeBlock, blendNew),
          MEMBER(CompositeBlock, blendOriginal), MEMBER(CompositeBlock, translucentWeight), MEMBER(CompositeBlock, area),
-         MEMBER(CompositeBlock, eta), MEMBER(CompositeBlock, translucent)},
+         MEMBER(CompositeBlock, eta), MEMBER(CompositeBlock, translucent), MEMBER(CompositeBlock, firstDrive),
+         MEMBER(CompositeBlock, driveCount), MEMBER(CompositeBlock, pad0), MEMBER(CompositeBlock, pad1)},
         sizeof(kernel::CompositeBlock));
     expectLayout(silhouette_spv, "MixedPixel",
                  {MEMBER(MixedPixel, pixel), MEMBER(MixedPixel, source), MEMBER(MixedPixel, coverage),
@@ -145,7 +151,7 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
                  sizeof(kernel::MixedPixel));
     expectLayout(silhouette_spv, "SilhouetteBlock",
                  {MEMBER(SilhouetteBlock, pixelCount), MEMBER(SilhouetteBlock, blendOriginal),
-                  MEMBER(SilhouetteBlock, pad0), MEMBER(SilhouetteBlock, pad1)},
+                  MEMBER(SilhouetteBlock, firstDrive), MEMBER(SilhouetteBlock, driveCount)},
                  sizeof(kernel::SilhouetteBlock));
 }
 

@@ -43,7 +43,8 @@ TEST_F(PipelineTest, RunsEverythingOnceAndThenNothing) {
                                {"Back side", 1},
                                {"Depth layers", 1},
                                {"Reflectance", 1},
-                               {"Environment", 1}}));
+                               {"Environment", 1},
+                               {"Texture", 1}}));
     const auto second = pipeline.run(scene);
     EXPECT_TRUE(newRuns().empty());
     EXPECT_EQ(first->front, second->front);
@@ -61,7 +62,7 @@ TEST_F(PipelineTest, EqualContentInAnotherImageIsNoChange) {
     changed->color(3, 3).x() += 0.1f;
     scene.photo = changed;
     (void)pipeline.run(scene);
-    EXPECT_EQ(newRuns().size(), 6u);
+    EXPECT_EQ(newRuns().size(), 7u);
 }
 
 TEST_F(PipelineTest, RecomputesOnlyWhatAnEditInvalidates) {
@@ -120,7 +121,7 @@ TEST_F(PipelineTest, CancellingKeepsWhatWasFinished) {
     }
     EXPECT_EQ(newRuns(), (Runs{{"Filter depth", 1}, {"Surface", 1}, {"Back side", 1}, {"Depth layers", 1}}));
     const auto resumed = pipeline.run(scene);
-    EXPECT_EQ(newRuns(), (Runs{{"Reflectance", 1}, {"Environment", 1}}));
+    EXPECT_EQ(newRuns(), (Runs{{"Reflectance", 1}, {"Environment", 1}, {"Texture", 1}}));
 
     AnalysisPipeline fresh;
     const auto expected = fresh.run(scene);
@@ -144,7 +145,7 @@ TEST_F(PipelineTest, ReportsEveryStepFromStartToEnd) {
                            low = std::min(low, fraction);
                            high = std::max(high, fraction);
                        }));
-    EXPECT_EQ(ranges.size(), 6u);
+    EXPECT_EQ(ranges.size(), 7u);
     for (const auto& [name, range] : ranges) {
         EXPECT_EQ(range.first, 0) << name;
         EXPECT_EQ(range.second, 1) << name;

@@ -14,12 +14,14 @@ CompositePass::CompositePass(const gpu::Device& device, const gpu::BindGroupLayo
                           {COMPOSITE_COUNT, SampledTexture},
                           {COMPOSITE_FILTERED, SampledTexture},
                           {COMPOSITE_DIFFUSION, SampledTexture},
-                          {COMPOSITE_RESULT, WriteOnlyStorageTexture}});
+                          {COMPOSITE_RESULT, WriteOnlyStorageTexture},
+                          {COMPOSITE_DRIVES, ReadOnlyStorageBuffer},
+                          {COMPOSITE_DRIVE_VALUES, ReadOnlyStorageBuffer}});
     pipeline_ =
         makePipeline(device, "composite", composite_spv, {geometryLayout, layout_}, sizeof(kernel::CompositeBlock));
 }
 
-gpu::BindGroup CompositePass::bind(const PixelList& pixels, const Targets& targets) const {
+gpu::BindGroup CompositePass::bind(const PathInputs& inputs, const PixelList& pixels, const Targets& targets) const {
     return device_.createBindGroup(
         {.label = "composite",
          .layout = layout_,
@@ -28,7 +30,9 @@ gpu::BindGroup CompositePass::bind(const PixelList& pixels, const Targets& targe
                      {.binding = COMPOSITE_COUNT, .textureView = targets.count.createView()},
                      {.binding = COMPOSITE_FILTERED, .textureView = targets.filtered.createView()},
                      {.binding = COMPOSITE_DIFFUSION, .textureView = targets.diffusion.createView()},
-                     {.binding = COMPOSITE_RESULT, .textureView = targets.result.createView()}}});
+                     {.binding = COMPOSITE_RESULT, .textureView = targets.result.createView()},
+                     {.binding = COMPOSITE_DRIVES, .buffer = inputs.drives},
+                     {.binding = COMPOSITE_DRIVE_VALUES, .buffer = inputs.driveValues}}});
 }
 
 void CompositePass::record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const gpu::BindGroup& group,

@@ -13,7 +13,7 @@ class CompositePass {
   public:
     CompositePass(const gpu::Device& device, const gpu::BindGroupLayout& geometryLayout);
 
-    [[nodiscard]] gpu::BindGroup bind(const PixelList& pixels, const Targets& targets) const;
+    [[nodiscard]] gpu::BindGroup bind(const PathInputs& inputs, const PixelList& pixels, const Targets& targets) const;
     void record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const gpu::BindGroup& group,
                 const kernel::CompositeBlock& block) const;
 

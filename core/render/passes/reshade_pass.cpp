@@ -13,7 +13,9 @@ ReshadePass::ReshadePass(const gpu::Device& device, const gpu::BindGroupLayout& 
                           {RESHADE_DROPPED, StorageBuffer},
                           {RESHADE_PIXELS, ReadOnlyStorageBuffer},
                           {RESHADE_ACCUMULATION, ReadWriteStorageTexture},
-                          {RESHADE_COUNT, ReadWriteStorageTexture}});
+                          {RESHADE_COUNT, ReadWriteStorageTexture},
+                          {RESHADE_DRIVES, ReadOnlyStorageBuffer},
+                          {RESHADE_DRIVE_VALUES, ReadOnlyStorageBuffer}});
     pipeline_ = BrdfPipeline(device, "reshade", reshade_spv, {geometryLayout, layout_}, sizeof(kernel::ReshadeBlock));
 }
 
@@ -25,7 +27,9 @@ gpu::BindGroup ReshadePass::bind(const PathInputs& inputs, const PixelList& pixe
                      {.binding = RESHADE_DROPPED, .buffer = inputs.dropped},
                      {.binding = RESHADE_PIXELS, .buffer = pixels.buffer},
                      {.binding = RESHADE_ACCUMULATION, .textureView = targets.accumulation.createView()},
-                     {.binding = RESHADE_COUNT, .textureView = targets.count.createView()}}});
+                     {.binding = RESHADE_COUNT, .textureView = targets.count.createView()},
+                     {.binding = RESHADE_DRIVES, .buffer = inputs.drives},
+                     {.binding = RESHADE_DRIVE_VALUES, .buffer = inputs.driveValues}}});
 }
 
 void ReshadePass::record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const gpu::BindGroup& group,

@@ -27,8 +27,10 @@ struct PixelList {
 
 /// What all paths need besides the geometry.
 struct PathInputs {
-    gpu::Buffer shading;  ///< kernel::SegmentShading per label
-    gpu::Buffer dropped;  ///< one uint
+    gpu::Buffer shading;      ///< kernel::SegmentShading per label
+    gpu::Buffer dropped;      ///< one uint
+    gpu::Buffer drives;       ///< kernel::Drive of all segments
+    gpu::Buffer driveValues;  ///< float: the planes the drives refer to
 };
 
 }  // namespace render

@@ -3,7 +3,6 @@
 
 #include "core/render/kernels.h"
 #include "kernels/silhouette.h"
-#include "shaders/shared/silhouette_block.h"
 
 namespace render {
 
@@ -13,7 +12,9 @@ SilhouettePass::SilhouettePass(const gpu::Device& device, const gpu::BindGroupLa
     layout_ = makeLayout(device, "silhouette",
                          {{SILHOUETTE_PIXELS, ReadOnlyStorageBuffer},
                           {SILHOUETTE_COUNT, SampledTexture},
-                          {SILHOUETTE_RESULT, ReadWriteStorageTexture}});
+                          {SILHOUETTE_RESULT, ReadWriteStorageTexture},
+                          {SILHOUETTE_DRIVES, ReadOnlyStorageBuffer},
+                          {SILHOUETTE_DRIVE_VALUES, ReadOnlyStorageBuffer}});
     pipeline_ =
         makePipeline(device, "silhouette", silhouette_spv, {geometryLayout, layout_}, sizeof(kernel::SilhouetteBlock));
 }
@@ -33,19 +34,20 @@ PixelList SilhouettePass::upload(const std::vector<core::SilhouettePixel>& pixel
             .count = static_cast<std::uint32_t>(packed.size())};
 }
 
-gpu::BindGroup SilhouettePass::bind(const PixelList& pixels, const Targets& targets) const {
+gpu::BindGroup SilhouettePass::bind(const PathInputs& inputs, const PixelList& pixels, const Targets& targets) const {
     return device_.createBindGroup(
         {.label = "silhouette",
          .layout = layout_,
          .entries = {{.binding = SILHOUETTE_PIXELS, .buffer = pixels.buffer},
                      {.binding = SILHOUETTE_COUNT, .textureView = targets.count.createView()},
-                     {.binding = SILHOUETTE_RESULT, .textureView = targets.result.createView()}}});
+                     {.binding = SILHOUETTE_RESULT, .textureView = targets.result.createView()},
+                     {.binding = SILHOUETTE_DRIVES, .buffer = inputs.drives},
+                     {.binding = SILHOUETTE_DRIVE_VALUES, .buffer = inputs.driveValues}}});
 }
 
 void SilhouettePass::record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const gpu::BindGroup& group,
-                            std::uint32_t pixelCount, float blendOriginal) const {
-    const kernel::SilhouetteBlock block{.pixelCount = pixelCount, .blendOriginal = blendOriginal, .pad0 = 0, .pad1 = 0};
-    recordList(encoder, "silhouette", pipeline_, geometry, group, block, pixelCount);
+                            const kernel::SilhouetteBlock& block) const {
+    recordList(encoder, "silhouette", pipeline_, geometry, group, block, block.pixelCount);
 }
 
 }  // namespace render

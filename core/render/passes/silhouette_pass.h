@@ -7,6 +7,7 @@
 #include "core/render/scene_geometry.h"
 #include "core/silhouette.h"
 #include "gpu/device.h"
+#include "shaders/shared/silhouette_block.h"
 
 namespace render {
 
@@ -17,9 +18,9 @@ class SilhouettePass {
 
     /// The list on the device, as a pixel list whose buffer holds kernel::MixedPixel.
     [[nodiscard]] PixelList upload(const std::vector<core::SilhouettePixel>& pixels) const;
-    [[nodiscard]] gpu::BindGroup bind(const PixelList& pixels, const Targets& targets) const;
+    [[nodiscard]] gpu::BindGroup bind(const PathInputs& inputs, const PixelList& pixels, const Targets& targets) const;
     void record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const gpu::BindGroup& group,
-                std::uint32_t pixelCount, float blendOriginal) const;
+                const kernel::SilhouetteBlock& block) const;
 
   private:
     gpu::Device device_;

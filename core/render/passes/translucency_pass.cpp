@@ -16,7 +16,9 @@ TranslucencyPass::TranslucencyPass(const gpu::Device& device, const gpu::BindGro
                                    {{IRRADIANCE_SHADING, ReadOnlyStorageBuffer},
                                     {IRRADIANCE_DROPPED, StorageBuffer},
                                     {IRRADIANCE_POINTS, ReadOnlyStorageBuffer},
-                                    {IRRADIANCE_SUMS, StorageBuffer}});
+                                    {IRRADIANCE_SUMS, StorageBuffer},
+                                    {IRRADIANCE_DRIVES, ReadOnlyStorageBuffer},
+                                    {IRRADIANCE_DRIVE_VALUES, ReadOnlyStorageBuffer}});
     gatherLayout_ = makeLayout(device, "dipole_gather",
                                {{DIPOLE_GATHER_PARAMS, UniformBuffer},
                                 {DIPOLE_GATHER_PIXELS, ReadOnlyStorageBuffer},
@@ -56,7 +58,9 @@ gpu::BindGroup TranslucencyPass::bindIrradiance(const PathInputs& inputs, const 
                                     .entries = {{.binding = IRRADIANCE_SHADING, .buffer = inputs.shading},
                                                 {.binding = IRRADIANCE_DROPPED, .buffer = inputs.dropped},
                                                 {.binding = IRRADIANCE_POINTS, .buffer = points.points},
-                                                {.binding = IRRADIANCE_SUMS, .buffer = points.sums}}});
+                                                {.binding = IRRADIANCE_SUMS, .buffer = points.sums},
+                                                {.binding = IRRADIANCE_DRIVES, .buffer = inputs.drives},
+                                                {.binding = IRRADIANCE_DRIVE_VALUES, .buffer = inputs.driveValues}}});
 }
 
 gpu::BindGroup TranslucencyPass::bindGather(const gpu::Buffer& dipole, const PixelList& pixels,

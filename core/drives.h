@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/analysis.h"
+#include "core/mask.h"
+#include "core/scene.h"
+#include "shaders/shared/path.h"
+
+namespace core {
+
+// Spatially varying edits. A segment's drives become a table (kernel::Drive) and planes of stored values, one value for
+// every pixel in the box around the segment; kernels and the reference renderer compute each driven parameter of the
+// pixel they shade from them, at every surface a path meets, so that evaluation, sampling and density agree.
+
+/// A parameter that a drive may vary.
+struct DriveParameter {
+    std::string key;    ///< "alpha", "albedo", "blend.new": the word of files and command line
+    std::string label;  ///< for people, untranslated
+    bool color = false;
+    float min = 0, max = 1;
+    kernel::uint slot = 0;  ///< shaders/shared/drive.h
+};
+
+/// Those of the material's BRDF, then "albedo", "specular", "eta", "k" where it reads them, "blend.new",
+/// "blend.original" and, with translucency, "translucency.weight".
+[[nodiscard]] std::vector<DriveParameter> driveParameters(const Material& material);
+
+/// The material's own value of a parameter, which drives replace; a scalar three times. `estimatedSpecular`: as for
+/// core::toKernel.
+[[nodiscard]] Vector3f ownValue(const Material& material, const DriveParameter& parameter,
+                                const Vector3f& estimatedSpecular);
+
+/// Whether a drive of the material needs Analysis::textureDetail.
+[[nodiscard]] bool drivenByLuminance(const Material& material);
+
+/// Stored values of the box around one segment; those of a mask or of the texture's detail.
+struct DrivePlane {
+    std::shared_ptr<const Mask> mask;
+    std::shared_ptr<const ImageF> detail;  ///< when `mask` is nullptr
+    int x = 0, y = 0, width = 0, height = 0;
+    std::size_t offset = 0;  ///< of its first value among all planes'
+
+    /// Rows [first, first + rows) of the plane.
+    void copyRows(int first, int rows, std::span<float> target) const;
+};
+
+struct DriveTable {
+    std::vector<kernel::Drive> drives;
+    std::vector<std::uint32_t> planeOf;  ///< plane of each drive
+    std::vector<DrivePlane> planes;
+    std::size_t valueCount = 0;
+
+    [[nodiscard]] bool empty() const { return drives.empty(); }
+    [[nodiscard]] std::vector<float> values() const;
+};
+
+/// The drives of all edited segments; sets SegmentShading::drives, with `shading` from buildSegmentShading. Drives of
+/// parameters that the material does not have are left out, and those by luminance until the analysis knows the detail.
+[[nodiscard]] DriveTable buildDrives(const Scene& scene, const Analysis& analysis,
+                                     std::span<kernel::SegmentShading> shading);
+
+/// What a parameter is in every pixel of a segment, scalars three times; zero elsewhere. Throws Error(Usage) when the
+/// segment is not edited or has no such parameter.
+[[nodiscard]] ImageRgb effectiveParameter(const Scene& scene, const Analysis& analysis, const Segment& segment,
+                                          std::string_view parameter);
+
+/// Throws Error(Input), or of another kind, naming the first mask that has not the photograph's size.
+void requireMasksFit(const Scene& scene, ErrorKind kind = ErrorKind::Input);
+/// Sentences about masks that are the same everywhere in their segment.
+[[nodiscard]] std::vector<std::string> maskNotes(const Scene& scene);
+
+}  // namespace core

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/drive_json.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/drives.h"
+#include "core/io/json_reader.h"
+
+namespace core {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr float kMaxFactor = 100;
+constexpr float kMaxStrength = 100;
+const std::vector<std::string> kSources{"mask", "luminance"};
+
+/// A scalar's value; of a colour, [r, g, b] or a factor on the material's own.
+std::optional<DriveEnd> readEnd(JsonReader& reader, const char* key, const DriveParameter& parameter) {
+    const json* value = reader.find(key);
+    if (value == nullptr) return std::nullopt;
+    DriveEnd end;
+    float number = 1;
+    if (!parameter.color) {
+        reader.read(key, number, parameter.min, parameter.max);
+        end.factor = false;
+        end.value.setConstant(number);
+    } else if (value->is_number()) {
+        reader.read(key, number, 0.0f, kMaxFactor);
+        end.value.setConstant(number);
+    } else {
+        if (!value->is_array()) reader.fail(key, "a color [r, g, b] or a number, the factor on the edit's own", *value);
+        end.factor = false;
+        reader.read(key, end.value, parameter.min, parameter.max);
+    }
+    return end;
+}
+
+json writeEnd(const DriveEnd& end, bool color) {
+    return color && !end.factor ? toJson(end.value) : json(toJson(end.value.x()));
+}
+
+Drive readDrive(const json& value, const std::string& place, ErrorKind kind, MaskLoader& masks,
+                const std::vector<DriveParameter>& parameters) {
+    JsonReader reader(value, place, kind);
+    std::vector<std::string> keys;
+    for (const DriveParameter& p : parameters) keys.push_back(p.key);
+    reader.require("parameter");
+    const DriveParameter& parameter = parameters[*reader.readChoice("parameter", keys)];
+    Drive drive;
+    drive.parameter = parameter.key;
+    if (const auto source = reader.readChoice("source", kSources)) drive.source = static_cast<DriveSource>(*source);
+    if (drive.source == DriveSource::Mask) {
+        reader.require("mask");
+        std::string path;
+        reader.read("mask", path);
+        if (path.empty()) reader.fail("\"" + reader.place("mask") + "\" is empty, expected the path of an image.");
+        drive.mask = masks.load(path);
+    }
+    drive.from = readEnd(reader, "from", parameter);
+    drive.to = readEnd(reader, "to", parameter);
+    if (drive.source == DriveSource::Mask && !drive.from && !drive.to)
+        reader.fail("\"" + place + "\" needs \"from\" or \"to\": the values of \"" + drive.parameter +
+                    "\" where the mask is 0 and 1.");
+    reader.read("invert", drive.invert);
+    reader.read(drive.source == DriveSource::Mask ? "contrast" : "strength", drive.strength, 0.0f, kMaxStrength);
+    reader.finish();
+    return drive;
+}
+
+}  // namespace
+
+void readDrives(const json& list, const std::string& place, ErrorKind kind, MaskLoader& masks, Material& material) {
+    if (!list.is_array()) throw Error(kind, "\"" + place + "\" is no list [...].");
+    const std::vector<DriveParameter> parameters = driveParameters(material);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const std::string at = place + "[" + std::to_string(i) + "]";
+        Drive drive = readDrive(list[i], at, kind, masks, parameters);
+        if (std::ranges::find(material.drives, drive.parameter, &Drive::parameter) != material.drives.end())
+            throw Error(kind, "\"" + at + ".parameter\" is \"" + drive.parameter + "\", which has a drive already.");
+        material.drives.push_back(std::move(drive));
+    }
+}
+
+ordered_json writeDrives(const Material& material, const std::function<std::string(const std::string&)>& filePath) {
+    const std::vector<DriveParameter> parameters = driveParameters(material);
+    ordered_json list = ordered_json::array();
+    for (const Drive& drive : material.drives) {
+        const auto parameter = std::ranges::find(parameters, drive.parameter, &DriveParameter::key);
+        if (parameter == parameters.end()) continue;
+        ordered_json entry;
+        entry["parameter"] = drive.parameter;
+        entry["source"] = kSources[static_cast<std::size_t>(drive.source)];
+        const bool mask = drive.source == DriveSource::Mask;
+        if (mask && drive.mask != nullptr) entry["mask"] = filePath ? filePath(drive.mask->path()) : drive.mask->path();
+        if (drive.from) entry["from"] = writeEnd(*drive.from, parameter->color);
+        if (drive.to) entry["to"] = writeEnd(*drive.to, parameter->color);
+        entry["invert"] = drive.invert;
+        entry[mask ? "contrast" : "strength"] = toJson(drive.strength);
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+}  // namespace core
