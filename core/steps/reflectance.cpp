@@ -23,7 +23,8 @@ constexpr std::size_t kMaxPixels = 400000;  // of a segment that are traced; mor
 constexpr std::size_t kMaxProbes = 1500;
 /// Codes just below the largest count as clipped too: sharpening and compression leave them there.
 constexpr float kClipMargin = 0.98f;
-constexpr int kMinBlock = 8;  // pixels; a texture or an error of the normals is to lie in one block
+constexpr int kMaxBetween = 12;  // observations along the side of a pixel that are interpolated
+constexpr int kMinBlock = 8;     // pixels; a texture or an error of the normals is to lie in one block
 constexpr float kMinRho = 0.02f;
 /// A mirror cannot reflect more than it receives; what exceeds that by more than the error of an estimate is none.
 constexpr float kMaxRho = 1.15f;
@@ -164,6 +165,9 @@ std::optional<Vector3f> mirroredDirection(const Surface& front, int x, int y) {
     if (cosine < kMinCosine) return std::nullopt;
     return (view + 2 * cosine * n).normalized();
 }
+
+/// The pixel shows the environment.
+bool showsLight(const Ending& ending) { return ending.kind == Ending::Missed || ending.kind == Ending::Distant; }
 
 /// How much a pixel knows of the texel its mirrored ray points into: little where the neighbours' rays diverge.
 float sharpness(const LabelImage& labels, const Surface& front, const Mirror& mirror, float texelAngle) {
@@ -343,6 +347,45 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
                 weights[i] = sharpness(photo.labels, front, mirror, texelAngle);
             },
             0.35f, 0.4f);
+        Image<std::int32_t> mirrorAt(width, height, -1);
+        for (std::size_t i = 0; i < mirrors.size(); ++i)
+            mirrorAt(mirrors[i].x, mirrors[i].y) = static_cast<std::int32_t>(i);
+        // Where neighbouring pixels mirror directions more than a texel apart, the light between them is interpolated:
+        // observations without gaps.
+        const auto addBetween = [&](std::size_t i) {
+            const Mirror& corner = mirrors[i];
+            std::array<std::size_t, 4> corners{};
+            float spread = 0;
+            unsigned clipped = 0;
+            for (std::size_t k = 0; k < 4; ++k) {
+                const int x = corner.x + static_cast<int>(k % 2);
+                const int y = corner.y + static_cast<int>(k / 2);
+                if (!mirrorAt.contains(x, y) || mirrorAt(x, y) < 0) return;
+                corners[k] = static_cast<std::size_t>(mirrorAt(x, y));
+                if (!showsLight(mirrors[corners[k]].ending)) return;
+                spread = std::max(spread, (mirrors[corners[k]].direction - corner.direction).norm());
+                clipped |= tracer.clipped(x, y);
+            }
+            const int steps = std::min(static_cast<int>(1.5f * spread / texelAngle) + 1, kMaxBetween);
+            for (int v = 0; v < steps; ++v) {
+                for (int u = 0; u < steps; ++u) {
+                    if (u == 0 && v == 0) continue;
+                    const float fu = static_cast<float>(u) / static_cast<float>(steps);
+                    const float fv = static_cast<float>(v) / static_cast<float>(steps);
+                    const std::array<float, 4> share{(1 - fu) * (1 - fv), fu * (1 - fv), (1 - fu) * fv, fu * fv};
+                    Vector3f direction = Vector3f::Zero();
+                    Vector3f color = Vector3f::Zero();
+                    float weight = 0;
+                    for (std::size_t k = 0; k < 4; ++k) {
+                        const Mirror& mirror = mirrors[corners[k]];
+                        direction += share[k] * mirror.direction;
+                        color += share[k] * front.color(mirror.x, mirror.y);
+                        weight += share[k] * weights[corners[k]];
+                    }
+                    missed.add(direction.normalized(), color, weight, clipped);
+                }
+            }
+        };
         for (std::size_t i = 0; i < mirrors.size(); ++i) {
             const Mirror& mirror = mirrors[i];
             const Ending& ending = mirror.ending;
@@ -350,8 +393,9 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
             const Vector3f& color = front.color(mirror.x, mirror.y);
             const unsigned clipped = tracer.clipped(mirror.x, mirror.y);
             reflected.add(mirror.direction, color, weights[i], clipped);
-            if (ending.kind == Ending::Missed || ending.kind == Ending::Distant) {
+            if (showsLight(ending)) {
                 missed.add(mirror.direction, color, weights[i], clipped);
+                if (stride == 1) addBetween(i);
                 const int half = (mirror.x / block + mirror.y / block) % 2;
                 missedHalves[static_cast<std::size_t>(half)].add(mirror.direction, color, weights[i]);
             }

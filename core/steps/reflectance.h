@@ -20,7 +20,8 @@ namespace core::steps {
 struct SegmentReflections {
     Reflectance estimate;
     /// Colours whose mirrored ray hits nothing: ρ times the environment as the lobe blurs it. Weighted: where the
-    /// surface is curved so much that a pixel mirrors more than a texel, it knows less of each. Where the segment's
+    /// surface is curved so much that a pixel mirrors more than a texel, it knows less of each, and what lies
+    /// between it and its neighbours is interpolated. Where the segment's
     /// pixels contradict each other, smoothed until they agree (`agreementWidth`).
     DirectionalMap missed;
     Vector3f view{0, 0, 1};  ///< unit, from the camera to the segment

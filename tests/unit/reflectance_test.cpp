@@ -99,6 +99,37 @@ TEST_F(MirrorSphere, ReflectedMapHoldsWhatTheSphereShows) {
     EXPECT_LT(errors[errors.size() * 9 / 10], 0.05f);
 }
 
+TEST_F(MirrorSphere, EnvironmentHasNoGapsWhereTheSphereIsCoarse) {
+    // A map three times as fine as the sphere's pixels: what lies between them is known too, and right.
+    core::Scene fine = scene;
+    fine.environment.height = 192;
+    core::AnalysisPipeline pipeline;
+    const DirectionalMap map = *pipeline.run(fine)->environment;
+    float gaps = 0;  // [sr]
+    float inside = 0;
+    std::vector<float> errors;
+    for (int y = 1; y < 60; ++y) {
+        const float solidAngle = DirectionalMap::texelSolidAngle(y, 384, 192);
+        for (int x = 1; x < 383; ++x) {
+            const bool known = map.coverage(x, y) > 0;
+            if (known) {
+                const Vector3f expected = truth.environment(texelDirection(x, y, map).cast<double>());
+                errors.push_back((map.radiance(x, y) - expected).norm() / expected.norm());
+            }
+            if (map.coverage(x - 1, y) <= 0 || map.coverage(x, y - 1) <= 0 || map.coverage(x + 1, y) <= 0 ||
+                map.coverage(x, y + 1) <= 0)
+                continue;
+            inside += solidAngle;
+            if (!known) gaps += solidAngle;
+        }
+    }
+    EXPECT_GT(inside, 1);
+    EXPECT_LT(gaps, 0.02f * inside);
+    std::ranges::sort(errors);
+    EXPECT_LT(errors[errors.size() / 2], 0.02f);
+    EXPECT_LT(errors[errors.size() * 9 / 10], 0.06f);
+}
+
 TEST_F(MirrorSphere, IncidentMapHoldsTheFloorAndTheBox) {
     const DirectionalMap& map = analysis->reflectances[0]->incident;
     const Vector3d center = Vector3d(0, 0.05, 1) - 0.12 * test::rotation(0.5, {1, 0, 0}).col(1) + Vector3d(-0.08, 0, 0);
