@@ -222,6 +222,14 @@ std::vector<DriveParameter> driveParameters(const Material& material) {
     return result;
 }
 
+std::vector<Drive> knownDrives(const std::vector<Drive>& drives, const Material& material) {
+    const std::vector<DriveParameter> known = driveParameters(material);
+    std::vector<Drive> result;
+    for (const Drive& drive : drives)
+        if (std::ranges::find(known, drive.parameter, &DriveParameter::key) != known.end()) result.push_back(drive);
+    return result;
+}
+
 Vector3f ownValue(const Material& material, const DriveParameter& parameter, const Vector3f& estimatedSpecular) {
     switch (parameter.slot) {
         case kernel::kDriveAlbedo:

@@ -32,6 +32,9 @@ struct DriveParameter {
 /// "blend.original" and, with translucency, "translucency.weight".
 [[nodiscard]] std::vector<DriveParameter> driveParameters(const Material& material);
 
+/// Those of `drives` that vary a parameter the material has.
+[[nodiscard]] std::vector<Drive> knownDrives(const std::vector<Drive>& drives, const Material& material);
+
 /// The material's own value of a parameter, which drives replace; a scalar three times. `estimatedSpecular`: as for
 /// core::toKernel.
 [[nodiscard]] Vector3f ownValue(const Material& material, const DriveParameter& parameter,

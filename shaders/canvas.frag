@@ -10,6 +10,7 @@
 
 layout(set = 0, binding = CANVAS_PICTURE) uniform texture2D picture;
 layout(set = 0, binding = CANVAS_LABELS) uniform utexture2D labels;
+layout(set = 0, binding = CANVAS_MASK) uniform texture2D mask;
 layout(push_constant) uniform Block { CanvasBlock block; };
 layout(location = 0) out vec4 target;
 
@@ -70,6 +71,11 @@ void main() {
         bool border = isSelected(p + vec2(reach, 0.0)) != here || isSelected(p - vec2(reach, 0.0)) != here ||
                       isSelected(p + vec2(0.0, reach)) != here || isSelected(p - vec2(0.0, reach)) != here;
         if (border) display = here ? vec3(0.05) : vec3(1.0, 0.72, 0.30);
+    }
+    if ((kFlags & CANVAS_OVERLAY) != 0u) {
+        if (inside) display = mix(display, vec3(0.85, 0.12, 0.10), 0.6 * texelFetch(mask, ivec2(floor(p)), 0).r);
+        float edge = abs(distance(p, block.brushCenter) - block.brushRadius) / block.step;
+        if (edge < 1.5) display = edge < 0.75 ? vec3(1.0) : vec3(0.1);
     }
     if ((kFlags & CANVAS_TARGET_ENCODES) != 0u) display = decode(display);
     target = vec4(display, 1.0);

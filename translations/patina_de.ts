@@ -95,6 +95,37 @@
     </message>
 </context>
 <context>
+    <name>drives</name>
+    <message>
+        <source>Diffuse colour</source>
+        <translation>Diffuse Farbe</translation>
+    </message>
+    <message>
+        <source>Specular colour</source>
+        <translation>Spiegelfarbe</translation>
+    </message>
+    <message>
+        <source>Index n</source>
+        <translation>Index n</translation>
+    </message>
+    <message>
+        <source>Extinction k</source>
+        <translation>Extinktion k</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Photograph</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>Translucency</source>
+        <translation>Transluzenz</translation>
+    </message>
+</context>
+<context>
     <name>main</name>
     <message>
         <source>Changes what things in a photograph with depth are made of.</source>
@@ -434,6 +465,185 @@
     <message>
         <source>%1: linear %2, %3, %4. Click to change.</source>
         <translation>%1: linear %2, %3, %4. Zum Ändern klicken.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::DriveList</name>
+    <message>
+        <source>Varies</source>
+        <translation>Veränderlich</translation>
+    </message>
+    <message>
+        <source>Vary a parameter</source>
+        <translation>Einen Parameter veränderlich machen</translation>
+    </message>
+    <message>
+        <source>Let a parameter follow a painted mask, an image or the photograph&apos;s texture</source>
+        <translation>Einen Parameter einer gemalten Maske, einem Bild oder der Textur des Fotos folgen lassen</translation>
+    </message>
+    <message>
+        <source>Brush size</source>
+        <translation>Pinselgröße</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Radius in pixels of the photograph</source>
+        <translation>Radius in Pixeln des Fotos</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Härte</translation>
+    </message>
+    <message>
+        <source>Share of the radius inside which the brush is full</source>
+        <translation>Anteil des Radius, innerhalb dessen der Pinsel voll deckt</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>How far one stroke goes</source>
+        <translation>Wie weit ein Strich geht</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Paint back to the start value; Shift does it for one stroke</source>
+        <translation>Zum Anfangswert zurück malen; mit der Umschalttaste für einen Strich</translation>
+    </message>
+    <message>
+        <source>Vary %1</source>
+        <translation>%1 veränderlich machen</translation>
+    </message>
+    <message>
+        <source>Follow the photograph&apos;s texture</source>
+        <translation>Der Textur des Fotos folgen</translation>
+    </message>
+    <message>
+        <source>Change mask</source>
+        <translation>Maske ändern</translation>
+    </message>
+    <message>
+        <source>Load mask</source>
+        <translation>Maske laden</translation>
+    </message>
+    <message>
+        <source>Images (*.png *.tif *.jpg *.exr);;All files (*)</source>
+        <translation>Bilder (*.png *.tif *.jpg *.exr);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Loading %1</source>
+        <translation>%1 wird geladen</translation>
+    </message>
+    <message>
+        <source>The mask &quot;%1&quot; is %2x%3 pixels, expected the photograph&apos;s size %4x%5.</source>
+        <translation>Die Maske „%1“ hat %2x%3 Pixel, erwartet wird die Größe des Fotos %4x%5.</translation>
+    </message>
+    <message>
+        <source>Change start value</source>
+        <translation>Anfangswert ändern</translation>
+    </message>
+    <message>
+        <source>Change end value</source>
+        <translation>Endwert ändern</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Where the mask is black</source>
+        <translation>Wo die Maske schwarz ist</translation>
+    </message>
+    <message>
+        <source>Where the mask is white</source>
+        <translation>Wo die Maske weiß ist</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>The parameter is the same everywhere again</source>
+        <translation>Der Parameter ist wieder überall gleich</translation>
+    </message>
+    <message>
+        <source>Source of %1</source>
+        <translation>Quelle von %1</translation>
+    </message>
+    <message>
+        <source>What the parameter follows</source>
+        <translation>Wem der Parameter folgt</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Paint %1</source>
+        <translation>%1 malen</translation>
+    </message>
+    <message>
+        <source>Paint the mask in the picture</source>
+        <translation>Die Maske im Bild malen</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>Contrast of the mask, or strength of the texture</source>
+        <translation>Kontrast der Maske oder Stärke der Textur</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Umgekehrt</translation>
+    </message>
+    <message>
+        <source>Do not vary %1</source>
+        <translation>%1 nicht mehr verändern</translation>
+    </message>
+    <message>
+        <source>Change contrast</source>
+        <translation>Kontrast ändern</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Vary a parameter…</source>
+        <translation>Parameter veränderlich machen…</translation>
+    </message>
+    <message>
+        <source>Painted mask</source>
+        <translation>Gemalte Maske</translation>
+    </message>
+    <message>
+        <source>Image %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>Image…</source>
+        <translation>Bild…</translation>
+    </message>
+    <message>
+        <source>Photograph&apos;s texture</source>
+        <translation>Textur des Fotos</translation>
+    </message>
+    <message>
+        <source>Mask of %1</source>
+        <translation>Maske von %1</translation>
     </message>
 </context>
 <context>
@@ -1142,6 +1352,13 @@
     </message>
 </context>
 <context>
+    <name>ui::MaskPainter</name>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+</context>
+<context>
     <name>ui::MaterialPanel</name>
     <message>
         <source>Material</source>
@@ -1270,10 +1487,6 @@
     <message>
         <source>Weight of the new surface</source>
         <translation>Gewicht der neuen Oberfläche</translation>
-    </message>
-    <message>
-        <source>Photographs (*.exr *.png *.jpg *.jpeg *.heic *.heif *.tif *.tiff *.hdr *.pfm *.pcd);;All files (*)</source>
-        <translation>Fotos (*.exr *.png *.jpg *.jpeg *.heic *.heif *.tif *.tiff *.hdr *.pfm *.pcd);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Photograph</source>
@@ -1477,6 +1690,10 @@
     <message>
         <source>Browse…</source>
         <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Photographs (*.exr *.png *.jpg *.jpeg *.heic *.heif *.tif *.tiff *.hdr *.pfm *.pcd);;All files (*)</source>
+        <translation>Fotos (*.exr *.png *.jpg *.jpeg *.heic *.heif *.tif *.tiff *.hdr *.pfm *.pcd);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>

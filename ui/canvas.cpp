@@ -89,6 +89,9 @@ Canvas::Canvas(QVulkanInstance* instance, const QString& problem, const QString&
     connect(window_, &CanvasWindow::cursorMoved, this, &Canvas::cursorMoved);
     connect(window_, &CanvasWindow::segmentClicked, this, &Canvas::segmentClicked);
     connect(window_, &CanvasWindow::zoomChanged, this, &Canvas::zoomChanged);
+    connect(window_, &CanvasWindow::strokeBegan, this, &Canvas::strokeBegan);
+    connect(window_, &CanvasWindow::strokeMoved, this, &Canvas::strokeMoved);
+    connect(window_, &CanvasWindow::strokeEnded, this, &Canvas::strokeEnded);
     connect(window_, &CanvasWindow::pressed, this, [this] { setFocus(Qt::MouseFocusReason); });
     // Not from inside a frame: the window must not be hidden while it draws.
     connect(
@@ -135,6 +138,7 @@ void Canvas::setPhoto(std::shared_ptr<const core::Photo> photo) {
     state.scene.reset();
     state.analysis.reset();
     state.selected = 0;
+    state.mask.reset();
     state.cursorInside = false;
     state.view.fit();
     restarts_ = 0;
@@ -198,6 +202,17 @@ void Canvas::setOutlineShown(bool shown) {
     if (window_ == nullptr) return;
     window_->state().outlineShown = shown;
     window_->redraw();
+}
+
+void Canvas::setMask(std::shared_ptr<const core::Mask> mask) {
+    if (window_ == nullptr || window_->state().mask == mask) return;
+    window_->state().mask = std::move(mask);
+    window_->redraw();
+}
+
+void Canvas::setBrushRadius(float radius) {
+    if (window_ == nullptr) return;
+    window_->setBrushRadius(radius);
 }
 
 void Canvas::setExposure(float stops) {

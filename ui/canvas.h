@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/analysis.h"
+#include "core/mask.h"
 #include "core/render/renderer.h"
 #include "core/scene.h"
 #include "ui/view_layer.h"
@@ -66,6 +67,10 @@ class Canvas : public QWidget {
 
     void setSelection(std::uint16_t label);
     void setOutlineShown(bool shown);
+    /// A mask over the picture in red; nullptr = none.
+    void setMask(std::shared_ptr<const core::Mask> mask);
+    /// Radius [picture pixels] of the brush that the left button paints with; 0 = it selects and moves the picture.
+    void setBrushRadius(float radius);
     void setExposure(float stops);
     void setComparing(bool comparing);
     void zoomToFit();
@@ -88,6 +93,10 @@ class Canvas : public QWidget {
     void cursorMoved(const ui::CursorValue& value);
     void segmentClicked(quint16 label);
     void zoomChanged(double zoom);
+    /// A stroke of the brush, in continuous picture coordinates; `inverted`: Shift was held.
+    void strokeBegan(const QPointF& position, bool inverted);
+    void strokeMoved(const QPointF& position);
+    void strokeEnded();
     /// The device failed; the canvas shows the sentence from now on, or again a picture after the next deviceReady.
     void failed(const QString& sentence);
 

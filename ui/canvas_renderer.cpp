@@ -46,6 +46,9 @@ void CanvasRenderer::initResources() {
                                                                    .type = gpu::BindingType::SampledTexture},
                                                                   {.binding = CANVAS_LABELS,
                                                                    .visibility = gpu::ShaderStage::Fragment,
+                                                                   .type = gpu::BindingType::SampledTexture},
+                                                                  {.binding = CANVAS_MASK,
+                                                                   .visibility = gpu::ShaderStage::Fragment,
                                                                    .type = gpu::BindingType::SampledTexture}}});
         layout_ = device_.createPipelineLayout({.label = "canvas",
                                                 .bindGroupLayouts = {groupLayout_},
@@ -55,6 +58,10 @@ void CanvasRenderer::initResources() {
                                         .size = {1, 1, 1},
                                         .format = gpu::TextureFormat::RGBA16Float,
                                         .usage = gpu::TextureUsage::TextureBinding | gpu::TextureUsage::CopyDst});
+        noMask_ = device_.createTexture({.label = "canvas without mask",
+                                         .size = {1, 1, 1},
+                                         .format = gpu::TextureFormat::R32Float,
+                                         .usage = gpu::TextureUsage::TextureBinding | gpu::TextureUsage::CopyDst});
         probe_ = device_.createBuffer({.label = "canvas probe",
                                        .size = 4 * sizeof(float),
                                        .usage = gpu::BufferUsage::MapRead | gpu::BufferUsage::CopyDst});
@@ -87,6 +94,10 @@ void CanvasRenderer::drop() {
     bindGroup_ = {};
     boundPicture_ = {};
     boundLabels_ = {};
+    boundMask_ = {};
+    mask_ = {};
+    noMask_ = {};
+    maskOf_.reset();
     probe_ = {};
     black_ = {};
     labels_ = {};
@@ -176,6 +187,7 @@ void CanvasRenderer::recordFrame() {
         emit window_.progressChanged();
     }
     updateLabels();
+    updateMask();
     recordProbe(encoder);
     draw(encoder);
     encoder.finish();
@@ -204,6 +216,32 @@ void CanvasRenderer::updateLabels() {
          .usage = gpu::TextureUsage::TextureBinding | gpu::TextureUsage::CopyDst});
     const std::vector<std::uint32_t> wide(source.pixels().begin(), source.pixels().end());
     device_.queue().writeTexture(labels_, wide.data(), wide.size() * sizeof(std::uint32_t));
+}
+
+void CanvasRenderer::updateMask() {
+    const std::shared_ptr<const core::Mask>& mask = window_.state().mask;
+    if (mask == maskOf_) return;
+    const auto width = static_cast<std::uint32_t>(mask != nullptr ? mask->width() : 0);
+    const auto height = static_cast<std::uint32_t>(mask != nullptr ? mask->height() : 0);
+    const bool inPlace =
+        mask != nullptr && maskOf_ != nullptr && mask_ && mask_.width() == width && mask_.height() == height;
+    const auto [first, last] = inPlace ? mask->changedRows(*maskOf_) : std::make_pair(0, static_cast<int>(height));
+    if (mask == nullptr) {
+        mask_ = {};
+    } else if (!inPlace) {
+        mask_ = device_.createTexture({.label = "canvas mask",
+                                       .size = {width, height, 1},
+                                       .format = gpu::TextureFormat::R32Float,
+                                       .usage = gpu::TextureUsage::TextureBinding | gpu::TextureUsage::CopyDst});
+    }
+    maskOf_ = mask;
+    if (first >= last) return;
+    std::vector<float> rows;
+    rows.reserve(std::size_t{width} * static_cast<std::size_t>(last - first));
+    for (int y = first; y < last; ++y)
+        for (int x = 0; x < mask->width(); ++x) rows.push_back(mask->value(x, y));
+    device_.queue().writeTexture({.texture = mask_, .origin = {0, static_cast<std::uint32_t>(first), 0}}, rows.data(),
+                                 rows.size() * sizeof(float), {}, {width, static_cast<std::uint32_t>(last - first), 1});
 }
 
 const gpu::Texture& CanvasRenderer::upload(Upload& slot, const std::shared_ptr<const CanvasPicture>& picture) {
@@ -283,6 +321,9 @@ void CanvasRenderer::drawPart(const gpu::RenderPassEncoder& pass, const QRectF& 
     values.step = static_cast<float>(1 / state.view.zoom());
     values.gain = std::exp2(state.exposureStops);
     values.selected = state.selected;
+    values.brushRadius = state.brushRadius;
+    values.brushCenter =
+        kernel::vec2(static_cast<float>(state.brushCenter.x()), static_cast<float>(state.brushCenter.y()));
     pass.setPipeline(pipelineFor(filter, flags));
     pass.setBindGroup(0, bindGroup_);
     pass.setPushConstants(values);
@@ -310,12 +351,16 @@ void CanvasRenderer::draw(const gpu::CommandEncoder& encoder) {
         shown = source != nullptr;
         if (shown && source->displayEncoded) flags |= CANVAS_PICTURE_ENCODED;
     }
-    if (!bindGroup_ || !(picture == boundPicture_) || !(labels_ == boundLabels_)) {
+    const gpu::Texture& mask = mask_ ? mask_ : noMask_;
+    if (mask_ && state.brushRadius > 0) flags |= CANVAS_OVERLAY;
+    if (!bindGroup_ || !(picture == boundPicture_) || !(labels_ == boundLabels_) || !(mask == boundMask_)) {
         bindGroup_ =
             device_.createBindGroup({.label = "canvas",
                                      .layout = groupLayout_,
                                      .entries = {{.binding = CANVAS_PICTURE, .textureView = picture.createView()},
-                                                 {.binding = CANVAS_LABELS, .textureView = labels_.createView()}}});
+                                                 {.binding = CANVAS_LABELS, .textureView = labels_.createView()},
+                                                 {.binding = CANVAS_MASK, .textureView = mask.createView()}}});
+        boundMask_ = mask;
         boundPicture_ = picture;
         boundLabels_ = labels_;
     }

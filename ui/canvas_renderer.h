@@ -39,6 +39,7 @@ class CanvasRenderer : public QVulkanWindowRenderer {
   private:
     void recordFrame();
     void updateLabels();
+    void updateMask();
     void recordProbe(const gpu::CommandEncoder& encoder);
     void finishProbe(int x, int y);
     void draw(const gpu::CommandEncoder& encoder);
@@ -75,9 +76,13 @@ class CanvasRenderer : public QVulkanWindowRenderer {
     Upload layer_;
     std::shared_ptr<const core::Photo> labelsOf_;
     gpu::Texture labels_;
+    std::shared_ptr<const core::Mask> maskOf_;
+    gpu::Texture mask_;
+    gpu::Texture noMask_;
     gpu::Texture black_;
     gpu::Texture boundPicture_;
     gpu::Texture boundLabels_;
+    gpu::Texture boundMask_;
     gpu::BindGroupLayout groupLayout_;
     gpu::BindGroup bindGroup_;
     gpu::Buffer probe_;

@@ -34,6 +34,23 @@ void CanvasWindow::updateSizes() {
     redraw();
 }
 
+void CanvasWindow::setBrushRadius(float radius) {
+    state_.brushRadius = radius;
+    if (!dragging_) updateCursorShape();
+    if (radius <= 0 && painting_) {
+        painting_ = false;
+        emit strokeEnded();
+    }
+    redraw();
+}
+
+void CanvasWindow::updateCursorShape() {
+    if (state_.brushRadius > 0)
+        setCursor(Qt::CrossCursor);
+    else
+        unsetCursor();
+}
+
 void CanvasWindow::resizeEvent(QResizeEvent* event) {
     QVulkanWindow::resizeEvent(event);
     updateSizes();
@@ -42,6 +59,8 @@ void CanvasWindow::resizeEvent(QResizeEvent* event) {
 void CanvasWindow::moveCursor(const QPointF& logical) {
     if (state_.photo == nullptr) return;
     const QPointF p = state_.view.toPicture(deviceAt(logical));
+    state_.brushCenter = p;
+    if (state_.brushRadius > 0) redraw();
     const QPoint pixel(static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y())));
     state_.cursorInside = state_.photo->color.contains(pixel.x(), pixel.y());
     state_.cursor = pixel;
@@ -60,6 +79,12 @@ void CanvasWindow::mousePressEvent(QMouseEvent* event) {
     pressPosition_ = event->position();
     lastPosition_ = event->position();
     dragging_ = false;
+    if (event->button() == Qt::LeftButton && state_.brushRadius > 0 && state_.photo != nullptr) {
+        painting_ = true;
+        moveCursor(event->position());
+        emit strokeBegan(state_.brushCenter, event->modifiers().testFlag(Qt::ShiftModifier));
+        return;
+    }
     if (event->button() == Qt::RightButton) {
         state_.comparing = true;
         redraw();
@@ -68,6 +93,11 @@ void CanvasWindow::mousePressEvent(QMouseEvent* event) {
 
 void CanvasWindow::mouseMoveEvent(QMouseEvent* event) {
     const QPointF position = event->position();
+    if (painting_) {
+        moveCursor(position);
+        emit strokeMoved(state_.brushCenter);
+        return;
+    }
     if ((event->buttons() & (Qt::LeftButton | Qt::MiddleButton)) != 0) {
         const double threshold = QGuiApplication::styleHints()->startDragDistance();
         if (!dragging_ && QLineF(position, pressPosition_).length() >= threshold) {
@@ -89,9 +119,14 @@ void CanvasWindow::mouseReleaseEvent(QMouseEvent* event) {
         redraw();
         return;
     }
+    if (painting_ && event->button() == Qt::LeftButton) {
+        painting_ = false;
+        emit strokeEnded();
+        return;
+    }
     if (dragging_) {
         dragging_ = false;
-        unsetCursor();
+        updateCursorShape();
         return;
     }
     if (event->button() != Qt::LeftButton || state_.photo == nullptr) return;
@@ -103,6 +138,10 @@ void CanvasWindow::mouseReleaseEvent(QMouseEvent* event) {
 
 void CanvasWindow::mouseDoubleClickEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
+    if (state_.brushRadius > 0) {
+        mousePressEvent(event);
+        return;
+    }
     if (state_.view.fitted()) {
         state_.view.zoomAt(deviceAt(event->position()), 1);
     } else {

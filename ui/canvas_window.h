@@ -26,6 +26,9 @@ struct CanvasState {
     bool outlineShown = true;
     float exposureStops = 0;
     bool comparing = false;
+    std::shared_ptr<const core::Mask> mask;  ///< shown in red
+    float brushRadius = 0;                   ///< [picture pixels]; 0 = no brush
+    QPointF brushCenter;                     ///< picture position under the pointer
     ViewTransform view;
     QPoint cursor;  ///< picture pixel under the pointer
     bool cursorInside = false;
@@ -46,6 +49,7 @@ class CanvasWindow : public QVulkanWindow {
     void redraw();
     /// View and picture sizes changed.
     void updateSizes();
+    void setBrushRadius(float radius);
 
   signals:
     void deviceReady(const QString& name);
@@ -57,6 +61,9 @@ class CanvasWindow : public QVulkanWindow {
     void cursorMoved(const ui::CursorValue& value);
     void segmentClicked(quint16 label);
     void zoomChanged(double zoom);
+    void strokeBegan(const QPointF& position, bool inverted);
+    void strokeMoved(const QPointF& position);
+    void strokeEnded();
     void failed(const QString& sentence);
     /// The user pressed on the picture: the widget around should take the keyboard focus.
     void pressed();
@@ -73,6 +80,7 @@ class CanvasWindow : public QVulkanWindow {
   private:
     [[nodiscard]] QPointF deviceAt(const QPointF& logical) const { return devicePosition(logical, devicePixelRatio()); }
     void moveCursor(const QPointF& logical);
+    void updateCursorShape();
     void setCursorOutside();
 
     CanvasState state_;
@@ -80,6 +88,7 @@ class CanvasWindow : public QVulkanWindow {
     QPointF pressPosition_;
     QPointF lastPosition_;
     bool dragging_ = false;
+    bool painting_ = false;  ///< a stroke is being drawn
 };
 
 }  // namespace ui

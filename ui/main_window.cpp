@@ -26,6 +26,7 @@
 #include "core/render/gpu_analysis_kernels.h"
 #include "gpu/error.h"
 #include "gpu/instance.h"
+#include "ui/mask_painter.h"
 #include "ui/panels/registry.h"
 #include "ui/vulkan_support.h"
 
@@ -53,6 +54,7 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWin
     }
     canvas_ = new Canvas(vulkan_.get(), problem, options_.device, this);
     setCentralWidget(canvas_);
+    painter_ = new MaskPainter(workspace_, *canvas_, this);
 
     makeActions();
     makeStatusBar();
@@ -98,6 +100,7 @@ MainWindow::~MainWindow() {
     layerTask_.reset();
     worker_.disconnect(this);
     workspace_.disconnect();
+    delete painter_;
     delete canvas_;
 }
 

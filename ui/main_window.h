@@ -21,6 +21,8 @@ class QVulkanInstance;
 
 namespace ui {
 
+class MaskPainter;
+
 struct WindowOptions {
     bool canvas = true;  ///< false: no Vulkan is touched (tests of everything else)
     QString device;      ///< part of the device's name or its index; "" = settings, then the usual rule
@@ -110,6 +112,7 @@ class MainWindow : public QMainWindow {
     Workspace workspace_;
     AnalysisWorker worker_;
     Canvas* canvas_ = nullptr;
+    MaskPainter* painter_ = nullptr;
     std::unique_ptr<BackgroundTask> task_;
     std::unique_ptr<BackgroundTask> layerTask_;
     QProgressDialog* progressDialog_ = nullptr;

@@ -14,6 +14,7 @@ void Workspace::setDocument(core::Document document) {
     document_.setChangeListener([this](core::Stage stage) { changed(stage); });
     analysis_.reset();
     selected_ = 0;
+    setPaintedParameter({});
     ++generation_;
     analysisGeneration_ = generation_;
     emit documentReplaced();
@@ -26,7 +27,28 @@ void Workspace::changed(core::Stage stage) {
     ++generation_;
     if (stage <= core::Stage::Environment) analysisGeneration_ = generation_;
     if (selected_ != 0 && scene().findSegment(selected_) == nullptr) select(0);
+    if (paintedDrive() == nullptr) setPaintedParameter({});
     emit sceneChanged(stage);
+}
+
+const core::Drive* Workspace::paintedDrive() const {
+    const core::Segment* segment = selectedSegment();
+    if (painted_.empty() || segment == nullptr || !segment->edit) return nullptr;
+    for (const core::Drive& drive : segment->edit->drives)
+        if (drive.parameter == painted_ && drive.mask != nullptr) return &drive;
+    return nullptr;
+}
+
+void Workspace::setPaintedParameter(const std::string& parameter) {
+    const std::string before = painted_;
+    painted_ = parameter;
+    if (paintedDrive() == nullptr) painted_.clear();
+    if (painted_ != before) emit paintingChanged();
+}
+
+void Workspace::setBrush(const core::Brush& brush) {
+    brush_ = brush;
+    emit paintingChanged();
 }
 
 void Workspace::select(std::uint16_t label) {
@@ -34,6 +56,7 @@ void Workspace::select(std::uint16_t label) {
     if (next == selected_) return;
     document_.endMerge();
     selected_ = next;
+    setPaintedParameter({});
     emit selectionChanged(selected_);
 }
 

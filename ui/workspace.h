@@ -4,8 +4,10 @@
 #include <QObject>
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "core/analysis.h"
+#include "core/brush.h"
 #include "core/document.h"
 
 namespace ui {
@@ -45,7 +47,18 @@ class Workspace : public QObject {
     void editScene(const QString& label, const std::function<void(core::Scene&)>& change, const QString& mergeKey = {});
     void endMerge() { document_.endMerge(); }
 
+    /// Parameter of the selected segment's edit whose mask the pointer paints; "" = the pointer selects and moves.
+    [[nodiscard]] const std::string& paintedParameter() const { return painted_; }
+    /// "" or a parameter with a drive by mask; nothing happens for any other.
+    void setPaintedParameter(const std::string& parameter);
+    /// The drive that is painted; nullptr = none.
+    [[nodiscard]] const core::Drive* paintedDrive() const;
+    [[nodiscard]] const core::Brush& brush() const { return brush_; }
+    void setBrush(const core::Brush& brush);
+
   signals:
+    /// The painted parameter or the brush.
+    void paintingChanged();
     void sceneChanged(core::Stage firstStage);
     void selectionChanged(quint16 label);
     void analysisChanged();
@@ -58,6 +71,8 @@ class Workspace : public QObject {
     std::uint64_t generation_ = 1;
     std::uint64_t analysisGeneration_ = 1;
     std::uint16_t selected_ = 0;
+    std::string painted_;
+    core::Brush brush_;
     std::shared_ptr<const core::Analysis> analysis_;
 };
 

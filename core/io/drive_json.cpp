@@ -39,8 +39,11 @@ std::optional<DriveEnd> readEnd(JsonReader& reader, const char* key, const Drive
     return end;
 }
 
-json writeEnd(const DriveEnd& end, bool color) {
-    return color && !end.factor ? toJson(end.value) : json(toJson(end.value.x()));
+/// Files know factors of colours only.
+json writeEnd(const DriveEnd& end, const DriveParameter& parameter, const Material& material) {
+    if (parameter.color) return end.factor ? json(toJson(end.value.x())) : toJson(end.value);
+    const float own = ownValue(material, parameter, Vector3f::Ones()).x();
+    return toJson(end.factor ? end.value.x() * own : end.value.x());
 }
 
 Drive readDrive(const json& value, const std::string& place, ErrorKind kind, MaskLoader& masks,
@@ -96,8 +99,8 @@ ordered_json writeDrives(const Material& material, const std::function<std::stri
         entry["source"] = kSources[static_cast<std::size_t>(drive.source)];
         const bool mask = drive.source == DriveSource::Mask;
         if (mask && drive.mask != nullptr) entry["mask"] = filePath ? filePath(drive.mask->path()) : drive.mask->path();
-        if (drive.from) entry["from"] = writeEnd(*drive.from, parameter->color);
-        if (drive.to) entry["to"] = writeEnd(*drive.to, parameter->color);
+        if (drive.from) entry["from"] = writeEnd(*drive.from, *parameter, material);
+        if (drive.to) entry["to"] = writeEnd(*drive.to, *parameter, material);
         entry["invert"] = drive.invert;
         entry[mask ? "contrast" : "strength"] = toJson(drive.strength);
         list.push_back(std::move(entry));

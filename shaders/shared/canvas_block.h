@@ -7,6 +7,7 @@
 
 #define CANVAS_PICTURE 0
 #define CANVAS_LABELS 1
+#define CANVAS_MASK 2
 
 // Specialization constants: a software device runs both sides of every branch, so what is not needed must not be there.
 #define CANVAS_FILTER 0  // 0 = nearest, 1 = bilinear, n > 1 = box of n x n taps
@@ -15,6 +16,7 @@
 #define CANVAS_PICTURE_ENCODED 1u  // the picture is display-encoded: no exposure, no transfer function
 #define CANVAS_TARGET_ENCODES 2u   // the swapchain's format is sRGB: the hardware applies the transfer function
 #define CANVAS_OUTLINE 4u          // draw the outline of `selected`
+#define CANVAS_OVERLAY 8u          // draw the mask and the brush
 
 KERNEL_BEGIN
 
@@ -25,9 +27,8 @@ struct CanvasBlock {
     float step;     // picture pixels per view pixel
     float gain;     // radiance factor, 2^stops
     uint selected;  // label that is outlined
-    uint pad0;
-    uint pad1;
-    uint pad2;
+    float brushRadius;  // [px]
+    vec2 brushCenter;   // picture position [px]
 };
 KERNEL_BLOCK(CanvasBlock, 32)
 

@@ -11,6 +11,7 @@
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QThread>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QWindow>
 #include <algorithm>
@@ -205,6 +206,53 @@ TEST_F(CanvasWindowTest, UndoRedoAndMinimisingDoNotDisturbRefinement) {
         settle();
         QTest::qWait(50);
     }
+    EXPECT_EQ(window_.findChild<QObject*>("errorDialog"), nullptr);
+}
+
+TEST_F(CanvasWindowTest, AStrokeOfTheBrushIsOneStepAndShows) {
+    open();
+    setSamples(1);
+    window_.workspace().select(label("bag"));
+    chooseBrdf("lambert");
+    auto* add = test::child<QComboBox>(window_, "driveAdd");
+    add->setCurrentIndex(add->findData(QStringLiteral("albedo")));
+    emit add->activated(add->currentIndex());
+    ASSERT_EQ(window_.workspace().paintedParameter(), "albedo");
+    settle();
+    const core::Drive& drive = *window_.workspace().paintedDrive();
+    EXPECT_EQ(drive.mask->value(180, 420), 0.0f);
+    const QColor unpainted = screenColor(180, 420);
+
+    ui::CanvasWindow* native = nullptr;
+    for (QWindow* each : QGuiApplication::allWindows())
+        if (auto* canvas = qobject_cast<ui::CanvasWindow*>(each)) native = canvas;
+    ASSERT_NE(native, nullptr);
+    // A mask shown in red at once, the picture later; the thread of the window is never held up.
+    test::StallMeter stalls;
+    QTest::mousePress(native, Qt::LeftButton, {}, widgetPixel(140, 420));
+    for (int x = 140; x <= 220; x += 4) {
+        QTest::mouseMove(native, widgetPixel(x, 420));
+        QTest::qWait(15);
+    }
+    EXPECT_GT(screenColor(180, 420).red(), unpainted.red() / 2 + 60) << "the overlay";
+    QTest::mouseRelease(native, Qt::LeftButton, {}, widgetPixel(220, 420));
+    const qint64 longest = stalls.longest();
+    RecordProperty("longest_stall_ms", static_cast<int>(longest));
+    EXPECT_LT(static_cast<double>(longest), static_cast<double>(kLongestStall) * othersShare());
+    const core::Drive* painted = window_.workspace().paintedDrive();
+    ASSERT_NE(painted, nullptr);
+    EXPECT_EQ(painted->mask->value(180, 420), 1.0f);
+    EXPECT_EQ(painted->mask->value(180, 460), 0.0f);
+    EXPECT_EQ(window_.workspace().selectedLabel(), label("bag")) << "painting selects nothing";
+
+    test::child<QToolButton>(window_, "drive_albedo_paint")->click();
+    EXPECT_EQ(window_.workspace().paintedParameter(), "");
+    settle();
+    QTest::qWait(100);
+    EXPECT_LT(screenColor(180, 420).green(), unpainted.green() - 20) << "white is the dark end";
+    test::child<QAction>(window_, "actionUndo")->trigger();
+    EXPECT_EQ(window_.workspace().selectedSegment()->edit->drives[0].mask->value(180, 420), 0.0f);
+    EXPECT_EQ(window_.workspace().selectedSegment()->edit->drives.size(), 1u) << "one stroke, one step";
     EXPECT_EQ(window_.findChild<QObject*>("errorDialog"), nullptr);
 }
 

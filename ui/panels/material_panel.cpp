@@ -14,8 +14,10 @@
 #include <utility>
 
 #include "core/brdf.h"
+#include "core/drives.h"
 #include "core/metals.h"
 #include "core/translucency.h"
+#include "ui/panels/drive_list.h"
 #include "ui/widgets/color_button.h"
 #include "ui/widgets/param_slider.h"
 #include "ui/widgets/vector_edit.h"
@@ -62,6 +64,10 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : Panel(work
     makeSurfaceGroup();
     makeBlendGroup();
     makeTranslucencyGroup();
+    auto* drives = new DriveList(workspace, inner);
+    bodyLayout->addWidget(drives);
+    connect(drives, &DriveList::message, this, &MaterialPanel::message);
+    connect(drives, &DriveList::error, this, &MaterialPanel::error);
     bodyLayout->addStretch(1);
 
     auto* scroll = new QScrollArea(this);
@@ -355,6 +361,7 @@ void MaterialPanel::chooseBrdf(const std::string& key) {
                                      next.blendNew = s.edit->blendNew;
                                      next.blendOriginal = s.edit->blendOriginal;
                                      next.translucency = s.edit->translucency;
+                                     next.drives = core::knownDrives(s.edit->drives, next);
                                  }
                                  s.edit = next;
                              });
