@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -66,7 +68,7 @@ class Mask {
   private:
     using Tile = std::array<std::uint16_t, std::size_t{kTileSize} * kTileSize>;
     [[nodiscard]] static std::uint16_t store(float value) {
-        return value > 0 ? static_cast<std::uint16_t>(std::min(value, 1.0f) * kSteps + 0.5f) : std::uint16_t{0};
+        return value > 0 ? static_cast<std::uint16_t>(std::lround(std::min(value, 1.0f) * kSteps)) : std::uint16_t{0};
     }
     [[nodiscard]] std::size_t tileIndex(int x, int y) const {
         return static_cast<std::size_t>(y / kTileSize) * static_cast<std::size_t>(columns_) +

@@ -50,6 +50,7 @@ Drive readDrive(const json& value, const std::string& place, ErrorKind kind, Mas
                 const std::vector<DriveParameter>& parameters) {
     JsonReader reader(value, place, kind);
     std::vector<std::string> keys;
+    keys.reserve(parameters.size());
     for (const DriveParameter& p : parameters) keys.push_back(p.key);
     reader.require("parameter");
     const DriveParameter& parameter = parameters[*reader.readChoice("parameter", keys)];

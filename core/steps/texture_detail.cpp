@@ -87,7 +87,7 @@ void separate(const Photo& photo, const Surface& front, const Region& region, Im
                         const int qx = px + dx * step;
                         const int qy = py + dy * step;
                         if (!inside(qx, qy)) continue;
-                        float w = kSpline[static_cast<std::size_t>(dx + 2)] * kSpline[static_cast<std::size_t>(dy + 2)];
+                        float w = kSpline[static_cast<std::size_t>(dx) + 2] * kSpline[static_cast<std::size_t>(dy) + 2];
                         if (dx != 0 || dy != 0) w *= power8(std::max(normal.dot(front.normal(qx, qy)), 0.0f));
                         value += w * before(x + dx * step, y + dy * step);
                         weights += w;

@@ -118,6 +118,33 @@ class UsageTest(CliTest):
         self.run_cli("render", project, "--samples", "0", "-o", self.path("o.png"), code=2)
         self.fails(2, [".bmp", ".exr"], "render", project, "-o", self.path("o.bmp"))
 
+    def test_masks_that_do_not_fit(self):
+        project = self.small_project()
+        png(self.path("small.png"), [[0, 255]])
+        png(self.path("mask.png"), [[255 if x < 24 else 0 for x in range(48)] for _ in range(32)])
+        edit = '1={"brdf":"ggx","drives":[{"parameter":"alpha","mask":"%s","from":0.1,"to":0.5}]}'
+        self.fails(3, ["small.png", "alpha", "2x1", "48x32"], "render", project, "--edit", edit % self.path("small.png"),
+                   "-o", self.path("o.png"))
+        self.fails(3, ["none.png", "does not exist"], "render", project, "--edit", edit % self.path("none.png"), "-o",
+                   self.path("o.png"))
+        self.fails(2, ["is an input"], "render", project, "--edit", edit % self.path("mask.png"), "-o",
+                   self.path("mask.png"))
+
+    def test_parameter_layers_show_the_drives(self):
+        project = self.small_project()
+        png(self.path("mask.png"), [[255 if x < 24 else 0 for x in range(48)] for _ in range(32)])
+        with open(project) as file:
+            document = json.load(file)
+        document["segments"][0]["edit"] = {"brdf": "ggx", "drives": [
+            {"parameter": "alpha", "mask": "mask.png", "from": 0.1, "to": 0.5}]}
+        with open(project, "w") as file:
+            json.dump(document, file)
+        self.run_cli("export", project, "--layer", "parameter:1:alpha", "-o", self.path("alpha.png"))
+        self.assertEqual(png_size(self.path("alpha.png")), (48, 32))
+        self.fails(2, ["sheen", "alpha"], "export", project, "--layer", "parameter:1:sheen", "-o", self.path("o.png"))
+        self.fails(2, ["not edited"], "export", project, "--layer", "parameter:2:alpha", "-o", self.path("o.png"))
+        self.fails(2, ["parameter:LABEL:NAME"], "export", project, "--layer", "parameter:1", "-o", self.path("o.png"))
+
     def test_inputs_are_never_overwritten(self):
         project = self.small_project()
         with open(self.path("color.png"), "rb") as file:
