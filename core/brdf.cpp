@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include "core/brdf_file.h"
 #include "shaders/brdf/brdf.h"
 
 namespace core {
@@ -41,6 +42,12 @@ const BrdfInfo* findBrdf(std::string_view key) {
     return nullptr;
 }
 
+const BrdfInfo* findBrdf(const Material& material) {
+    return material.brdfFile ? &material.brdfFile->info : findBrdf(material.brdf);
+}
+
+bool usable(const Material& material) { return !material.brdfFile || material.brdfFile->problem.empty(); }
+
 Material defaultMaterial(const BrdfInfo& brdf) {
     Material material;
     material.brdf = brdf.key;
@@ -50,7 +57,8 @@ Material defaultMaterial(const BrdfInfo& brdf) {
 }
 
 kernel::BrdfParams toKernel(const Material& material, const Vector3f& estimatedSpecular) {
-    const BrdfInfo* info = findBrdf(material.brdf);
+    const BrdfInfo* info = findBrdf(material);
+    if (!usable(material)) throw Error(ErrorKind::Input, material.brdfFile->problem);
     if (info == nullptr) {
         std::string known;
         for (const BrdfInfo& other : kBrdfs) known += (known.empty() ? "" : ", ") + std::string(other.key);
@@ -66,7 +74,8 @@ kernel::BrdfParams toKernel(const Material& material, const Vector3f& estimatedS
     b.values2 = {v[4], v[5], v[6], v[7]};
     b.values3 = {v[8], v[9], v[10], v[11]};
     b.type = static_cast<kernel::uint>(info->id);
-    b.pad0 = b.pad1 = b.pad2 = 0;
+    b.file = 0;
+    b.measured = material.brdfFile && material.brdfFile->measured ? material.brdfFile->measured->table.data() : nullptr;
     return b;
 }
 

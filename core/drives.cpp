@@ -202,7 +202,7 @@ class Builder {
 
 std::vector<DriveParameter> driveParameters(const Material& material) {
     std::vector<DriveParameter> result;
-    const BrdfInfo* brdf = findBrdf(material.brdf);
+    const BrdfInfo* brdf = findBrdf(material);
     if (brdf == nullptr) return result;
     for (std::size_t i = 0; i < brdf->params.size(); ++i) {
         const ParamInfo& param = brdf->params[i];
@@ -277,7 +277,8 @@ std::vector<float> DriveTable::values() const {
 DriveTable buildDrives(const Scene& scene, const Analysis& analysis, std::span<kernel::SegmentShading> shading) {
     Builder builder(scene, analysis);
     for (const Segment& segment : scene.segments) {
-        if (!segment.edit || segment.edit->drives.empty() || segment.label >= shading.size()) continue;
+        if (!segment.edit || !usable(*segment.edit) || segment.edit->drives.empty() || segment.label >= shading.size())
+            continue;
         if (shading[segment.label].diffuse.w != 0) builder.add(segment, shading[segment.label]);
     }
     return builder.take();

@@ -56,12 +56,18 @@ struct Drive {
     bool operator==(const Drive&) const = default;
 };
 
+/// Material::brdf of a BRDF that a file defines.
+inline constexpr const char* kFileBrdf = "file";
+
 /// How many scalar parameters a BRDF may declare in its table (shaders/brdf/*.h).
 inline constexpr int kBrdfValueCount = 12;
+
+struct BrdfFile;
 
 /// The material a segment is edited to.
 struct Material {
     std::string brdf = "ggx";                     ///< key in shaders/brdf/registry.h; "none" reflects nothing
+    std::shared_ptr<const BrdfFile> brdfFile;     ///< where `brdf` is kFileBrdf: what defines it (core/brdf_file.h)
     Vector3f albedo{0.5f, 0.5f, 0.5f};            ///< diffuse albedo, [0, 1]
     std::optional<Vector3f> specular;             ///< specular colour; nullopt = the segment's estimated reflectance ρ
     std::array<float, kBrdfValueCount> values{};  ///< the BRDF's own parameters, in its table's order

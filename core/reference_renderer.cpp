@@ -24,7 +24,7 @@ Vector3f fromKernel(kernel::vec3 v) { return {v.x, v.y, v.z}; }
 kernel::SegmentShading shadingOf(const Segment& segment, const Analysis& analysis) {
     kernel::SegmentShading s;
     s.blend = {1, 0, 0, 0};
-    if (!segment.edit) {
+    if (!segment.edit || !usable(*segment.edit)) {
         if (!segment.glossy) return s;
         Material mirror = defaultMaterial(*findBrdf("ggx"));
         const Reflectance* found = analysis.findReflectance(segment.label);
@@ -295,7 +295,7 @@ ImageRgb ReferenceRenderer::translucency(const StepContext& context) const {
     const Surface& front = *analysis_->front;
     ImageRgb result(layers_->camera.width, layers_->camera.height, Vector3f::Zero());
     for (const Segment& segment : scene_.segments) {
-        if (!segment.edit || !segment.edit->translucency) continue;
+        if (!segment.edit || !usable(*segment.edit) || !segment.edit->translucency) continue;
         const kernel::DipoleParams dipole = dipoleFromTranslucency(*segment.edit->translucency);
         const SurfaceSamples samples =
             sampleSurface(*analysis_, layers_->labels, segment.label, scene_.render.surfaceSamples, scene_.render.seed);
@@ -332,7 +332,7 @@ ImageRgb ReferenceRenderer::composite(const ImageRgb& reshaded, const ImageRgb& 
     }
     const std::vector<std::uint8_t> edited = editedLabels(shading_);
     for (const Segment& segment : scene_.segments) {
-        if (!segment.edit || segment.glossy) continue;
+        if (!segment.edit || !usable(*segment.edit) || segment.glossy) continue;
         for (const SilhouettePixel& p :
              findSilhouette(scene_.photo->color, layers_->labels, analysis_->front->depth, segment.label, edited))
             result(p.x, p.y) =

@@ -1361,6 +1361,34 @@
 <context>
     <name>ui::MaterialPanel</name>
     <message>
+        <source>From a file…</source>
+        <translation>Aus einer Datei…</translation>
+    </message>
+    <message>
+        <source>Material from a file</source>
+        <translation>Material aus einer Datei</translation>
+    </message>
+    <message>
+        <source>Measured BRDFs in MERL&apos;s format (*.binary);;All files (*)</source>
+        <translation>Gemessene BRDFs im MERL-Format (*.binary);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Reload %1</source>
+        <translation>%1 neu laden</translation>
+    </message>
+    <message>
+        <source>Shown as photographed: %1</source>
+        <translation>Wie fotografiert gezeigt: %1</translation>
+    </message>
+    <message>
+        <source>Its last usable state is shown: %1</source>
+        <translation>Gezeigt wird der letzte brauchbare Stand: %1</translation>
+    </message>
+    <message>
+        <source>Loading %1</source>
+        <translation>%1 wird geladen</translation>
+    </message>
+    <message>
         <source>Material</source>
         <translation>Material</translation>
     </message>

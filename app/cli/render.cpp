@@ -9,7 +9,7 @@
 #include "app/cli/devices.h"
 #include "app/cli/session.h"
 #include "core/analysis_notes.h"
-#include "core/brdf.h"
+#include "core/brdf_file.h"
 #include "core/drives.h"
 #include "core/io/image_io.h"
 #include "core/io/project.h"
@@ -78,6 +78,10 @@ void render(const Arguments& args, bool samplesGiven, bool bouncesGiven, bool se
     }
     for (const auto& [label, material] : edits.materials) requireSegment(scene, label).edit = material;
     core::requireMasksFit(scene);
+    for (const core::Segment& segment : scene.segments)
+        if (segment.edit && !core::usable(*segment.edit))
+            throw core::Error(core::ErrorKind::Input, segment.edit->brdfFile->problem)
+                .withContext("In the edit of \"" + segment.name + "\".");
     refuseOverwritingInput(scene, args.project, args.output);
     for (const auto& [label, rho] : edits.reflectances) requireSegment(scene, label).reflectance = rho;
     if (samplesGiven) scene.render.samples = args.samples;
@@ -123,7 +127,7 @@ void addRender(CLI::App& app, Session& session) {
                     "JSON object, "
                     "all\n") +
         "optional but \"brdf\":\n"
-        "  \"brdf\"          one of those below, with its own parameters\n"
+        "  \"brdf\"          one of those below, with its own parameters, or \"file:PATH\": a measured BRDF (MERL)\n"
         "  \"albedo\"        [r, g, b], diffuse colour\n"
         "  \"specular\"      [r, g, b], or \"estimated\" (the default) from the photograph\n"
         "  \"fresnel\"       \"none\", \"schlick\", \"dielectric\", \"conductor\", with \"eta\" and \"k\"\n"

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <mutex>
 
+#include "core/brdf_file.h"
 #include "core/io/project.h"
 #include "core/mask.h"
 
@@ -132,6 +133,8 @@ void refuseOverwritingInput(const core::Scene& scene, const std::string& project
         for (const core::Drive& drive : segment.edit->drives)
             if (drive.mask) inputs.push_back(drive.mask->path());
     }
+    for (const core::Segment& segment : scene.segments)
+        if (segment.edit && segment.edit->brdfFile) inputs.push_back(segment.edit->brdfFile->path);
     for (const std::string& input : inputs) {
         std::error_code code;
         if (input.empty() || !std::filesystem::equivalent(input, output, code) || code) continue;

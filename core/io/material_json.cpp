@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/material_json.h"
 
+#include <filesystem>
+
 #include "core/brdf.h"
+#include "core/brdf_file.h"
 #include "core/io/drive_json.h"
 #include "core/io/json_reader.h"
 #include "core/io/project.h"
@@ -106,14 +109,31 @@ ordered_json writeTranslucency(const Translucency& t) {
     return result;
 }
 
+constexpr std::string_view kFilePrefix = "file:";
+
+/// The material that "brdf" names, with its initial values.
+Material readBrdf(JsonReader& reader, const std::string& folder, std::vector<std::string>* notes) {
+    const json& name = *reader.find("brdf");
+    if (!name.is_string() || !name.get<std::string>().starts_with(kFilePrefix))
+        return defaultMaterial(brdfs()[*reader.readChoice("brdf", brdfKeys())]);
+    const std::filesystem::path path(name.get<std::string>().substr(kFilePrefix.size()));
+    if (path.empty()) reader.fail("brdf", "a path after \"file:\"", name);
+    const std::string full = path.is_absolute() ? path.string() : (std::filesystem::path(folder) / path).string();
+    if (notes == nullptr) return fileMaterial(loadBrdfFile(full));
+    Material material = fileMaterial(loadBrdfFileOrProblem(full));
+    if (!usable(material))
+        notes->push_back("\"" + reader.place("brdf") + "\" is left out: " + material.brdfFile->problem);
+    return material;
+}
+
 }  // namespace
 
-Material readMaterial(const json& value, const std::string& place, ErrorKind kind, MaskLoader& masks) {
+Material readMaterial(const json& value, const std::string& place, ErrorKind kind, MaskLoader& masks,
+                      const std::string& folder, std::vector<std::string>* notes) {
     JsonReader reader(value, place, kind);
     reader.require("brdf");
-    const std::size_t index = *reader.readChoice("brdf", brdfKeys());
-    const BrdfInfo& brdf = brdfs()[index];
-    Material material = defaultMaterial(brdf);
+    Material material = readBrdf(reader, folder, notes);
+    const BrdfInfo& brdf = *findBrdf(material);
     reader.read("albedo", material.albedo, 0.0f, 1.0f);
     std::vector<std::string> metalKeys;
     for (const Metal& metal : metals()) metalKeys.emplace_back(metal.key);
@@ -156,9 +176,12 @@ Material readMaterial(const json& value, const std::string& place, ErrorKind kin
 
 ordered_json writeMaterial(const Material& material, const std::function<std::string(const std::string&)>& filePath) {
     ordered_json result;
-    const BrdfInfo* brdf = findBrdf(material.brdf);
+    const BrdfInfo* brdf = findBrdf(material);
     CORE_ASSERT(brdf != nullptr, "a material's BRDF is one of the list");
     result["brdf"] = material.brdf;
+    if (material.brdfFile)
+        result["brdf"] =
+            std::string(kFilePrefix) + (filePath ? filePath(material.brdfFile->path) : material.brdfFile->path);
     result["albedo"] = toJson(material.albedo);
     result["specular"] = material.specular ? toJson(*material.specular) : json("estimated");
     for (std::size_t i = 0; brdf != nullptr && i < brdf->params.size(); ++i)

@@ -80,7 +80,8 @@ PhotoRequest readPhoto(const json& value, const PathReader& paths) {
     return request;
 }
 
-Segment readSegment(const json& value, const std::string& place, MaskLoader& masks) {
+Segment readSegment(const json& value, const std::string& place, MaskLoader& masks, const std::string& folder,
+                    std::vector<std::string>* notes) {
     JsonReader reader(value, place, ErrorKind::Input);
     Segment segment;
     reader.require("label");
@@ -112,12 +113,13 @@ Segment readSegment(const json& value, const std::string& place, MaskLoader& mas
         segment.lobeWidth = alpha;
     }
     if (const json* edit = reader.find("edit"))
-        segment.edit = readMaterial(*edit, reader.place("edit"), ErrorKind::Input, masks);
+        segment.edit = readMaterial(*edit, reader.place("edit"), ErrorKind::Input, masks, folder, notes);
     reader.finish();
     return segment;
 }
 
-void readSegments(const json& list, MaskLoader masks, Scene& scene) {
+void readSegments(const json& list, const std::string& folder, Scene& scene, std::vector<std::string>* notes) {
+    MaskLoader masks(folder);
     if (!list.is_array()) throw Error(ErrorKind::Input, "\"segments\" is no list [...].");
     std::set<std::uint16_t> labels;
     std::set<std::string> names;
@@ -126,7 +128,7 @@ void readSegments(const json& list, MaskLoader masks, Scene& scene) {
         if (label != 0 && (present.empty() || !present.contains(label))) present.insert(label);
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string place = "segments[" + std::to_string(i) + "]";
-        Segment segment = readSegment(list[i], place, masks);
+        Segment segment = readSegment(list[i], place, masks, folder, notes);
         if (!present.contains(segment.label))
             throw Error(ErrorKind::Input, "\"" + place + ".label\" is " + std::to_string(segment.label) +
                                               ", but the label map \"" + scene.photo->source.segments +
@@ -204,7 +206,8 @@ Scene readProject(const std::string& path, std::vector<std::string>* notes) {
     if (render != nullptr) readRender(*render, scene.render);
     scene.photo = loadPhoto(request, notes);
     if (segments != nullptr) {
-        readSegments(*segments, MaskLoader(fs::path(path).parent_path().string()), scene);
+        std::vector<std::string> unheard;
+        readSegments(*segments, fs::path(path).parent_path().string(), scene, notes != nullptr ? notes : &unheard);
         requireMasksFit(scene);
     }
     addMissingSegments(scene);

@@ -49,7 +49,8 @@ inline constexpr float kMaxDepth = 10000.0f;
 [[nodiscard]] const std::string& backSideMethodKey(BackSideMethod method);
 
 /// Reads a `.patina` project (JSON; format in docs/project-format.md). Image paths are relative to the project file.
-/// Unknown keys, wrong types and out-of-range values are errors that name the key.
+/// Unknown keys, wrong types and out-of-range values are errors that name the key. An edit whose BRDF's file cannot be
+/// used is kept but shows the photograph (core::usable); a note says so.
 [[nodiscard]] Scene loadProject(const std::string& path, std::vector<std::string>* notes = nullptr);
 
 /// Writes atomically: a temporary file beside the target, flushed, then renamed; the old file survives any failure.

@@ -7,9 +7,11 @@
 #include <tuple>
 #include <utility>
 
+#include "core/brdf.h"
 #include "core/drives.h"
 #include "core/reference_renderer.h"
 #include "core/render/kernels.h"
+#include "core/render/measured_tables.h"
 #include "core/render/passes/composite_pass.h"
 #include "core/render/passes/reshade_pass.h"
 #include "core/render/passes/silhouette_pass.h"
@@ -90,6 +92,7 @@ struct Renderer::Impl {
     std::vector<kernel::SegmentShading> shading;
     core::DriveTable drives;
     std::vector<core::DrivePlane> uploadedPlanes;  ///< what `paths.driveValues` holds
+    MeasuredTables measured;
     bool layersStale = false;
     bool environmentStale = false;
     bool shadingStale = false;
@@ -144,6 +147,8 @@ void Renderer::Impl::setScene(const core::Scene& next, std::shared_ptr<const cor
     std::vector<kernel::SegmentShading> table = shadingTable(next, *nextAnalysis);
     core::DriveTable nextDrives = core::buildDrives(next, *nextAnalysis, table);
     geometry.requireBufferFits("varying parameters", nextDrives.valueCount * sizeof(float));
+    const MeasuredFiles files = placeMeasured(next, table);
+    measured.requireFits(device, files);
 
     const bool newLayers = !analysis || next.photo != scene.photo || nextAnalysis->front != analysis->front ||
                            nextAnalysis->back != analysis->back;
@@ -161,10 +166,12 @@ void Renderer::Impl::setScene(const core::Scene& next, std::shared_ptr<const cor
     shading = std::move(table);
     drives = std::move(nextDrives);
     shadingStale = true;
+    if (measured.use(files))
+        for (SegmentState& state : segments) state.reshadeGroup = state.irradianceGroup = {};
 
     std::vector<SegmentState> kept;
     for (const core::Segment& segment : scene.segments) {
-        if (!segment.edit) continue;
+        if (!segment.edit || !core::usable(*segment.edit)) continue;
         const auto old = std::find_if(segments.begin(), segments.end(),
                                       [&](const SegmentState& state) { return state.label == segment.label; });
         SegmentState state;
@@ -288,6 +295,7 @@ void Renderer::Impl::upload() {
         if (std::any_of(segments.begin(), segments.end(), [](const SegmentState& s) { return s.translucent(); }))
             translucency.useBrdfs(brdfs, !drives.empty());
     }
+    paths.measured = measured.buffer(device);
     prepareTargets();
     for (SegmentState& state : segments) {
         if (!state.pixels.buffer) preparePixels(state);

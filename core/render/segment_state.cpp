@@ -14,7 +14,8 @@ bool equal(const kernel::SegmentShading& a, const kernel::SegmentShading& b) {
     return equal(a.brdf.albedo, b.brdf.albedo) && equal(a.brdf.specular, b.brdf.specular) &&
            equal(a.brdf.eta, b.brdf.eta) && equal(a.brdf.k, b.brdf.k) && equal(a.brdf.values, b.brdf.values) &&
            equal(a.brdf.values2, b.brdf.values2) && equal(a.brdf.values3, b.brdf.values3) &&
-           a.brdf.type == b.brdf.type && equal(a.diffuse, b.diffuse) && equal(a.blend, b.blend);
+           a.brdf.type == b.brdf.type && a.brdf.file == b.brdf.file && a.brdf.measured == b.brdf.measured &&
+           equal(a.diffuse, b.diffuse) && equal(a.blend, b.blend);
 }
 
 bool equal(const DriveKey& a, const DriveKey& b) {

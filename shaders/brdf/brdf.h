@@ -28,7 +28,7 @@ layout(constant_id = 0) const uint kBrdfSet = 0xffffffffu;
         break;
 KERNEL_FN vec3 brdf_eval(BrdfParams b, vec3 wo, vec3 wi) {
     switch (int(b.type)) {
-        BRDF_LIST(BRDF_CASE)
+        BRDF_DISPATCH_LIST(BRDF_CASE)
         default:
             break;
     }
@@ -42,7 +42,7 @@ KERNEL_FN vec3 brdf_eval(BrdfParams b, vec3 wo, vec3 wi) {
         break;
 KERNEL_FN float brdf_pdf(BrdfParams b, vec3 wo, vec3 wi) {
     switch (int(b.type)) {
-        BRDF_LIST(BRDF_CASE)
+        BRDF_DISPATCH_LIST(BRDF_CASE)
         default:
             break;
     }
@@ -56,7 +56,7 @@ KERNEL_FN float brdf_pdf(BrdfParams b, vec3 wo, vec3 wi) {
         break;
 KERNEL_FN vec3 brdf_sample(BrdfParams b, vec3 wo, vec2 u) {
     switch (int(b.type)) {
-        BRDF_LIST(BRDF_CASE)
+        BRDF_DISPATCH_LIST(BRDF_CASE)
         default:
             break;
     }
@@ -70,7 +70,7 @@ KERNEL_FN vec3 brdf_sample(BrdfParams b, vec3 wo, vec2 u) {
         break;
 KERNEL_FN vec3 brdf_weight(BrdfParams b, vec3 wo, vec3 wi) {
     switch (int(b.type)) {
-        BRDF_LIST(BRDF_CASE)
+        BRDF_DISPATCH_LIST(BRDF_CASE)
         default:
             break;
     }

@@ -16,9 +16,13 @@ struct BrdfParams {
     vec4 values2;   // 4 to 7
     vec4 values3;   // 8 to 11
     uint type;      // index in shaders/brdf/registry.h
+    uint file;      // measured: first number of the table in kernels; user: revision of the text
+#ifdef __cplusplus
+    const float* measured;  // measured: the table (shaders/brdf/measured.h), for the reference renderer
+#else
     uint pad0;
     uint pad1;
-    uint pad2;
+#endif
 };
 KERNEL_BLOCK(BrdfParams, 128)
 

@@ -102,12 +102,19 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
                   MEMBER(ReshadeBlock, sampleCount), MEMBER(ReshadeBlock, seed), MEMBER(ReshadeBlock, bounces),
                   MEMBER(ReshadeBlock, pad0), MEMBER(ReshadeBlock, pad1)},
                  sizeof(kernel::ReshadeBlock));
-    expectLayout(
-        reshade_spv, "BrdfParams",
-        {MEMBER(BrdfParams, albedo), MEMBER(BrdfParams, specular), MEMBER(BrdfParams, eta), MEMBER(BrdfParams, k),
-         MEMBER(BrdfParams, values), MEMBER(BrdfParams, values2), MEMBER(BrdfParams, values3), MEMBER(BrdfParams, type),
-         MEMBER(BrdfParams, pad0), MEMBER(BrdfParams, pad1), MEMBER(BrdfParams, pad2)},
-        sizeof(kernel::BrdfParams));
+    expectLayout(reshade_spv, "BrdfParams",
+                 {MEMBER(BrdfParams, albedo),
+                  MEMBER(BrdfParams, specular),
+                  MEMBER(BrdfParams, eta),
+                  MEMBER(BrdfParams, k),
+                  MEMBER(BrdfParams, values),
+                  MEMBER(BrdfParams, values2),
+                  MEMBER(BrdfParams, values3),
+                  MEMBER(BrdfParams, type),
+                  MEMBER(BrdfParams, file),
+                  {"pad0", 120},
+                  {"pad1", 124}},
+                 sizeof(kernel::BrdfParams));
     expectLayout(reshade_spv, "SegmentShading",
                  {MEMBER(SegmentShading, brdf), MEMBER(SegmentShading, diffuse), MEMBER(SegmentShading, blend),
                   MEMBER(SegmentShading, drives)},

@@ -6,13 +6,15 @@
 #include <atomic>
 #include <cstring>
 
-#include "core/brdf.h"
+#include "core/brdf_file.h"
 #include "core/environment_sampler.h"
 #include "core/reference_renderer.h"
 #include "core/render/scene_geometry.h"
 #include "core/translucency.h"
 #include "gpu/readback.h"
 #include "tests/gpu/render_support.h"
+#include "tests/support/merl_file.h"
+#include "tests/support/temp_folder.h"
 
 namespace {
 
@@ -112,6 +114,24 @@ TEST(Reshade, FollowsTheReferenceRendererPathByPath) {
         // Paths part where a rounding decides between two pixels; the rest draws the same numbers.
         EXPECT_GE(c.nearlyEqual, 0.98) << brdf;
         EXPECT_LE(c.meanDifference, 0.003) << brdf;
+    }
+}
+
+TEST(Reshade, FollowsTheReferenceRendererWithMeasuredBrdfs) {
+    const test::TempFolder folder;
+    test::writeMerl(folder / "glossy.binary",
+                    [](double h, double d, double p) { return test::ggxInHalfDiff(0.2, h, d, p); });
+    test::writeMerl(folder / "matt.binary", [](double, double, double) { return Vector3f(0.2f, 0.1f, 0.05f); });
+    const AnalyticScene source = stillLife();
+    core::Scene scene = edited(source, 2, core::fileMaterial(core::loadBrdfFile(folder / "glossy.binary")), 4);
+    scene.findSegment(3)->edit = core::fileMaterial(core::loadBrdfFile(folder / "matt.binary"));
+    const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
+    for (const auto label : {std::uint16_t{2}, std::uint16_t{3}}) {
+        const Comparison c = compare(actual, expected, source.photo->labels, label);
+        ASSERT_GT(c.pixels, 500u);
+        EXPECT_GE(c.nearlyEqual, 0.97) << label;
+        EXPECT_LE(c.meanDifference, 0.004) << label;
     }
 }
 

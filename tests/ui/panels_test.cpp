@@ -19,6 +19,8 @@
 #include "core/io/image_io.h"
 #include "core/metals.h"
 #include "core/translucency.h"
+#include "tests/support/merl_file.h"
+#include "tests/support/temp_folder.h"
 #include "tests/ui/support.h"
 #include "ui/panels/back_side_panel.h"
 #include "ui/panels/environment_panel.h"
@@ -132,6 +134,40 @@ TEST_F(Panels, MaterialControlsComeFromTheTableOfEachBrdf) {
         }
     }
     chooseBrdf(panel, "");
+    EXPECT_FALSE(segment(2).edit.has_value());
+}
+
+TEST_F(Panels, AMaterialComesFromAFileAndFollowsIt) {
+    const test::TempFolder folder;
+    const std::string path = folder / "grey.binary";
+    test::writeMerl(path, [](double, double, double) { return core::Vector3f(0.1f, 0.1f, 0.1f); });
+    ui::MaterialPanel panel(workspace_);
+    open();
+    workspace_.select(2);
+    QSignalSpy errors(&panel, &ui::Panel::error);
+    panel.loadBrdf(QString::fromStdString(folder / "missing.binary"));
+    ASSERT_TRUE(errors.wait(5000));
+    EXPECT_TRUE(errors[0][0].toString().contains("missing.binary"));
+    EXPECT_FALSE(segment(2).edit.has_value());
+
+    panel.loadBrdf(QString::fromStdString(path));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return segment(2).edit.has_value(); }, 5000));
+    const auto first = segment(2).edit->brdfFile;
+    ASSERT_NE(first, nullptr);
+    auto* combo = test::child<QComboBox>(panel, "materialBrdf");
+    EXPECT_EQ(combo->currentData().toString(), "file");
+    auto* label = test::child<QLabel>(panel, "materialFile");
+    EXPECT_EQ(label->text(), "grey.binary");
+
+    // A file that is broken while it is in use: said, and the last state stays.
+    std::filesystem::resize_file(path, 100);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return label->text().contains("100 bytes"); }, 5000));
+    EXPECT_EQ(segment(2).edit->brdfFile, first);
+    test::writeMerl(path, [](double, double, double) { return core::Vector3f(0.2f, 0.1f, 0.1f); });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return segment(2).edit->brdfFile != first; }, 5000));
+    EXPECT_EQ(label->text(), "grey.binary");
+    workspace_.document().undo();
+    workspace_.document().undo();
     EXPECT_FALSE(segment(2).edit.has_value());
 }
 

@@ -4,19 +4,24 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFileSystemWatcher>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <utility>
 
-#include "core/brdf.h"
+#include "core/brdf_file.h"
 #include "core/drives.h"
 #include "core/metals.h"
 #include "core/translucency.h"
+#include "ui/background_task.h"
 #include "ui/panels/drive_list.h"
 #include "ui/widgets/color_button.h"
 #include "ui/widgets/param_slider.h"
@@ -27,6 +32,8 @@ namespace ui {
 namespace {
 
 constexpr int kLabelWidth = 104;
+/// Editors write a file in several steps.
+constexpr int kReloadDelayMs = 150;
 
 QWidget* makeRow(const QString& label, const std::vector<QWidget*>& widgets, QWidget* parent) {
     auto* row = new QWidget(parent);
@@ -53,6 +60,12 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : Panel(work
     for (const core::BrdfInfo& info : core::brdfs()) {
         brdf_->addItem(QCoreApplication::translate("brdfs", info.label), QString::fromUtf8(info.key));
     }
+    brdf_->addItem(tr("From a file…"), QString::fromLatin1(core::kFileBrdf));
+    file_ = new QLabel(this);
+    file_->setObjectName(QStringLiteral("materialFile"));
+    file_->setWordWrap(true);
+    file_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    watcher_ = new QFileSystemWatcher(this);
     remove_ = new QPushButton(tr("Remove edit"), this);
     remove_->setObjectName(QStringLiteral("removeEdit"));
     remove_->setToolTip(tr("Show the segment as it was photographed"));
@@ -84,16 +97,34 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : Panel(work
     layout->setContentsMargins(8, 8, 4, 8);
     layout->addLayout(top);
     layout->addWidget(brdf_);
+    layout->addWidget(file_);
     layout->addWidget(scroll, 1);
 
-    connect(brdf_, &QComboBox::activated, this,
-            [this](int index) { chooseBrdf(brdf_->itemData(index).toString().toStdString()); });
+    connect(brdf_, &QComboBox::activated, this, [this](int index) {
+        const std::string key = brdf_->itemData(index).toString().toStdString();
+        if (key != core::kFileBrdf) {
+            chooseBrdf(key);
+            return;
+        }
+        const QString path = QFileDialog::getOpenFileName(
+            this, tr("Material from a file"), {}, tr("Measured BRDFs in MERL's format (*.binary);;All files (*)"));
+        if (!path.isEmpty()) loadBrdf(path);
+        refresh();
+    });
+    connect(watcher_, &QFileSystemWatcher::fileChanged, this, [this](const QString& path) {
+        changed_.insert(path.toStdString());
+        QTimer::singleShot(kReloadDelayMs, this, &MaterialPanel::reloadChanged);
+    });
+    connect(&workspace, &Workspace::documentReplaced, this, [this] { fileProblem_.clear(); });
+    connect(&workspace, &Workspace::sceneChanged, this, &MaterialPanel::watchFiles);
     connect(remove_, &QPushButton::clicked, this, [this] { chooseBrdf({}); });
     connect(&workspace, &Workspace::sceneChanged, this, &MaterialPanel::refresh);
     connect(&workspace, &Workspace::selectionChanged, this, &MaterialPanel::refresh);
     connect(&workspace, &Workspace::analysisChanged, this, &MaterialPanel::refresh);
     refresh();
 }
+
+MaterialPanel::~MaterialPanel() = default;
 
 ParamSlider* MaterialPanel::addMaterialSlider(const ParamSpec& spec, std::function<void(core::Material&, float)> set) {
     return addSegmentSlider(spec, [set = std::move(set)](core::Segment& segment, float value) {
@@ -315,12 +346,13 @@ void MaterialPanel::makeTranslucencyGroup() {
     }
 }
 
-void MaterialPanel::rebuildParams(const std::string& brdf) {
-    if (brdf == paramsOf_) return;
-    paramsOf_ = brdf;
+void MaterialPanel::rebuildParams(const core::Material& material) {
+    if (material.brdf == paramsOf_ && material.brdfFile == paramsFile_) return;
+    paramsOf_ = material.brdf;
+    paramsFile_ = material.brdfFile;
     for (ParamSlider* slider : params_) slider->deleteLater();
     params_.clear();
-    const core::BrdfInfo* info = core::findBrdf(brdf);
+    const core::BrdfInfo* info = core::findBrdf(material);
     if (info == nullptr) return;
     for (std::size_t i = 0; i < info->params.size(); ++i) {
         const core::ParamInfo& param = info->params[i];
@@ -352,19 +384,103 @@ void MaterialPanel::chooseBrdf(const std::string& key) {
         workspace().editSelected(tr("Remove edit"), [](core::Segment& s) { s.edit.reset(); });
         return;
     }
-    workspace().editSelected(tr("Change material to %1").arg(QCoreApplication::translate("brdfs", info->label)),
-                             [info](core::Segment& s) {
-                                 core::Material next = core::defaultMaterial(*info);
-                                 if (s.edit) {
-                                     next.albedo = s.edit->albedo;
-                                     next.specular = s.edit->specular;
-                                     next.blendNew = s.edit->blendNew;
-                                     next.blendOriginal = s.edit->blendOriginal;
-                                     next.translucency = s.edit->translucency;
-                                     next.drives = core::knownDrives(s.edit->drives, next);
-                                 }
-                                 s.edit = next;
-                             });
+    setBrdf(tr("Change material to %1").arg(QCoreApplication::translate("brdfs", info->label)),
+            core::defaultMaterial(*info));
+}
+
+void MaterialPanel::setBrdf(const QString& label, const core::Material& fresh) {
+    workspace().editSelected(label, [&](core::Segment& s) {
+        core::Material next = fresh;
+        if (s.edit) {
+            next.albedo = s.edit->albedo;
+            next.specular = s.edit->specular;
+            next.blendNew = s.edit->blendNew;
+            next.blendOriginal = s.edit->blendOriginal;
+            next.translucency = s.edit->translucency;
+            next.drives = core::knownDrives(s.edit->drives, next);
+        }
+        s.edit = next;
+    });
+}
+
+void MaterialPanel::readFile(const std::string& path, const Loaded& then,
+                             const std::function<void(const QString&)>& otherwise) {
+    const auto file = std::make_shared<std::shared_ptr<const core::BrdfFile>>();
+    loading_ =
+        std::make_unique<BackgroundTask>([path, file](const core::StepContext&) { *file = core::loadBrdfFile(path); });
+    const auto ended = [this] {
+        emit message({});
+        if (!changed_.empty()) QTimer::singleShot(0, this, &MaterialPanel::reloadChanged);
+    };
+    connect(loading_.get(), &BackgroundTask::failed, this, [ended, otherwise](const QString& sentence) {
+        ended();
+        otherwise(sentence);
+    });
+    connect(loading_.get(), &BackgroundTask::succeeded, this, [ended, then, file] {
+        ended();
+        then(*file);
+    });
+    emit message(tr("Loading %1").arg(QFileInfo(QString::fromStdString(path)).fileName()));
+    loading_->start();
+}
+
+void MaterialPanel::loadBrdf(const QString& path) {
+    const std::uint16_t label = workspace().selectedLabel();
+    readFile(
+        path.toStdString(),
+        [this, label](const std::shared_ptr<const core::BrdfFile>& file) {
+            if (workspace().selectedLabel() != label) return;
+            fileProblem_.clear();
+            setBrdf(tr("Change material to %1").arg(QString::fromStdString(file->name)), core::fileMaterial(file));
+        },
+        [this](const QString& sentence) { emit error(sentence); });
+}
+
+void MaterialPanel::watchFiles() {
+    QStringList wanted;
+    for (const core::Segment& segment : workspace().scene().segments)
+        if (segment.edit && segment.edit->brdfFile) wanted << QString::fromStdString(segment.edit->brdfFile->path);
+    const QStringList watched = watcher_->files();
+    for (const QString& path : watched)
+        if (!wanted.contains(path)) watcher_->removePath(path);
+    for (const QString& path : wanted)
+        if (!watched.contains(path)) watcher_->addPath(path);
+}
+
+void MaterialPanel::reloadChanged() {
+    if (changed_.empty() || (loading_ != nullptr && loading_->running())) return;
+    const std::string path = *changed_.begin();
+    changed_.erase(changed_.begin());
+    readFile(
+        path,
+        [this, path](const std::shared_ptr<const core::BrdfFile>& file) {
+            fileProblem_.clear();
+            workspace().editScene(tr("Reload %1").arg(QString::fromStdString(file->name)), [&](core::Scene& scene) {
+                for (core::Segment& segment : scene.segments)
+                    if (segment.edit && segment.edit->brdfFile && segment.edit->brdfFile->path == path)
+                        segment.edit = core::withReloadedFile(*segment.edit, file);
+            });
+            watchFiles();
+            refresh();
+        },
+        [this](const QString& sentence) {
+            fileProblem_ = sentence;
+            watchFiles();
+            refresh();
+        });
+}
+
+void MaterialPanel::showFile(const core::Material& material) {
+    file_->setVisible(material.brdfFile != nullptr);
+    if (!material.brdfFile) return;
+    const core::BrdfFile& file = *material.brdfFile;
+    QString text = QString::fromStdString(file.name);
+    if (!file.problem.empty())
+        text = tr("Shown as photographed: %1").arg(QString::fromStdString(file.problem));
+    else if (!fileProblem_.isEmpty())
+        text = tr("Its last usable state is shown: %1").arg(fileProblem_);
+    file_->setText(text);
+    file_->setToolTip(QString::fromStdString(file.path));
 }
 
 void MaterialPanel::editMaterial(const QString& label, const std::function<void(core::Material&)>& change,
@@ -394,13 +510,14 @@ void MaterialPanel::refresh() {
     brdf_->setEnabled(segment != nullptr);
     remove_->setEnabled(edited);
     body_->setVisible(edited);
+    showFile(edited ? *segment->edit : core::Material());
     const QSignalBlocker blockBrdf(brdf_);
     brdf_->setCurrentIndex(edited ? brdf_->findData(QString::fromStdString(segment->edit->brdf)) : 0);
     if (!edited) return;
 
     const core::Material& material = *segment->edit;
-    const core::BrdfInfo* info = core::findBrdf(material.brdf);
-    rebuildParams(material.brdf);
+    const core::BrdfInfo* info = core::findBrdf(material);
+    rebuildParams(material);
     for (std::size_t i = 0; i < params_.size(); ++i) params_[i]->setValue(static_cast<double>(material.values.at(i)));
     const bool specular = info != nullptr && info->usesSpecular;
     albedoRow_->setVisible(info != nullptr && info->usesAlbedo);

@@ -1,19 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "ui/panels/panel.h"
 
 class QCheckBox;
 class QComboBox;
+class QFileSystemWatcher;
 class QGroupBox;
 class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
+namespace core {
+struct BrdfFile;
+}
+
 namespace ui {
 
+class BackgroundTask;
 class ColorButton;
 class ParamSlider;
 class VectorEdit;
@@ -24,14 +34,26 @@ class MaterialPanel : public Panel {
     Q_OBJECT
   public:
     explicit MaterialPanel(Workspace& workspace, QWidget* parent = nullptr);
+    ~MaterialPanel() override;
+
+    /// Gives the selected segment the BRDF of a file, which is read in the background.
+    void loadBrdf(const QString& path);
 
   private:
     void makeSurfaceGroup();
     void makeBlendGroup();
     void makeTranslucencyGroup();
     /// Replaces the BRDF's sliders when another BRDF is shown.
-    void rebuildParams(const std::string& brdf);
+    void rebuildParams(const core::Material& material);
     void refresh();
+    /// Watches the files of the scene's BRDFs.
+    void watchFiles();
+    /// Reads files that changed on disk again; one that cannot be used any more keeps its last state.
+    void reloadChanged();
+    using Loaded = std::function<void(const std::shared_ptr<const core::BrdfFile>&)>;
+    void readFile(const std::string& path, const Loaded& then, const std::function<void(const QString&)>& otherwise);
+    void showFile(const core::Material& material);
+    void setBrdf(const QString& label, const core::Material& fresh);
     void chooseBrdf(const std::string& key);
     /// Edits the selected segment's material, if it has one.
     void editMaterial(const QString& label, const std::function<void(core::Material&)>& change,
@@ -43,6 +65,11 @@ class MaterialPanel : public Panel {
     QLabel* title_ = nullptr;
     QComboBox* brdf_ = nullptr;
     QPushButton* remove_ = nullptr;
+    QLabel* file_ = nullptr;
+    QFileSystemWatcher* watcher_ = nullptr;
+    std::set<std::string> changed_;  ///< files to be read again
+    QString fileProblem_;            ///< why a file's latest state is not in use
+    std::unique_ptr<BackgroundTask> loading_;
     QWidget* body_ = nullptr;
     QWidget* albedoRow_ = nullptr;
     ColorButton* albedo_ = nullptr;
@@ -50,7 +77,8 @@ class MaterialPanel : public Panel {
     ColorButton* specular_ = nullptr;
     QCheckBox* specularEstimated_ = nullptr;
     QVBoxLayout* paramLayout_ = nullptr;
-    std::string paramsOf_;  ///< BRDF whose sliders are in `params_`
+    std::string paramsOf_;                              ///< BRDF whose sliders are in `params_`
+    std::shared_ptr<const core::BrdfFile> paramsFile_;  ///< and its file
     std::vector<ParamSlider*> params_;
     QWidget* fresnelRow_ = nullptr;
     QComboBox* fresnel_ = nullptr;

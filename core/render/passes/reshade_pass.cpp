@@ -3,6 +3,7 @@
 
 #include "core/render/kernels.h"
 #include "kernels/reshade.h"
+#include "shaders/brdf/measured.h"
 
 namespace render {
 
@@ -15,7 +16,8 @@ ReshadePass::ReshadePass(const gpu::Device& device, const gpu::BindGroupLayout& 
                           {RESHADE_ACCUMULATION, ReadWriteStorageTexture},
                           {RESHADE_COUNT, ReadWriteStorageTexture},
                           {RESHADE_DRIVES, ReadOnlyStorageBuffer},
-                          {RESHADE_DRIVE_VALUES, ReadOnlyStorageBuffer}});
+                          {RESHADE_DRIVE_VALUES, ReadOnlyStorageBuffer},
+                          {MEASURED_TABLES, ReadOnlyStorageBuffer}});
     pipeline_ = BrdfPipeline(device, "reshade", reshade_spv, {geometryLayout, layout_}, sizeof(kernel::ReshadeBlock));
 }
 
@@ -29,7 +31,8 @@ gpu::BindGroup ReshadePass::bind(const PathInputs& inputs, const PixelList& pixe
                      {.binding = RESHADE_ACCUMULATION, .textureView = targets.accumulation.createView()},
                      {.binding = RESHADE_COUNT, .textureView = targets.count.createView()},
                      {.binding = RESHADE_DRIVES, .buffer = inputs.drives},
-                     {.binding = RESHADE_DRIVE_VALUES, .buffer = inputs.driveValues}}});
+                     {.binding = RESHADE_DRIVE_VALUES, .buffer = inputs.driveValues},
+                     {.binding = MEASURED_TABLES, .buffer = inputs.measured}}});
 }
 
 void ReshadePass::record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const gpu::BindGroup& group,

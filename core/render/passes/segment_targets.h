@@ -31,6 +31,7 @@ struct PathInputs {
     gpu::Buffer dropped;      ///< one uint
     gpu::Buffer drives;       ///< kernel::Drive of all segments
     gpu::Buffer driveValues;  ///< float: the planes the drives refer to
+    gpu::Buffer measured;     ///< tables of measured BRDFs, one after the other
 };
 
 }  // namespace render

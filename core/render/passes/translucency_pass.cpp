@@ -6,6 +6,7 @@
 #include "core/render/kernels.h"
 #include "kernels/dipole_gather.h"
 #include "kernels/irradiance.h"
+#include "shaders/brdf/measured.h"
 
 namespace render {
 
@@ -18,7 +19,8 @@ TranslucencyPass::TranslucencyPass(const gpu::Device& device, const gpu::BindGro
                                     {IRRADIANCE_POINTS, ReadOnlyStorageBuffer},
                                     {IRRADIANCE_SUMS, StorageBuffer},
                                     {IRRADIANCE_DRIVES, ReadOnlyStorageBuffer},
-                                    {IRRADIANCE_DRIVE_VALUES, ReadOnlyStorageBuffer}});
+                                    {IRRADIANCE_DRIVE_VALUES, ReadOnlyStorageBuffer},
+                                    {MEASURED_TABLES, ReadOnlyStorageBuffer}});
     gatherLayout_ = makeLayout(device, "dipole_gather",
                                {{DIPOLE_GATHER_PARAMS, UniformBuffer},
                                 {DIPOLE_GATHER_PIXELS, ReadOnlyStorageBuffer},
@@ -60,7 +62,8 @@ gpu::BindGroup TranslucencyPass::bindIrradiance(const PathInputs& inputs, const 
                                                 {.binding = IRRADIANCE_POINTS, .buffer = points.points},
                                                 {.binding = IRRADIANCE_SUMS, .buffer = points.sums},
                                                 {.binding = IRRADIANCE_DRIVES, .buffer = inputs.drives},
-                                                {.binding = IRRADIANCE_DRIVE_VALUES, .buffer = inputs.driveValues}}});
+                                                {.binding = IRRADIANCE_DRIVE_VALUES, .buffer = inputs.driveValues},
+                                                {.binding = MEASURED_TABLES, .buffer = inputs.measured}}});
 }
 
 gpu::BindGroup TranslucencyPass::bindGather(const gpu::Buffer& dipole, const PixelList& pixels,
