@@ -279,7 +279,7 @@ void DriveList::makeEnds(Row& row, QVBoxLayout* layout) {
             continue;
         }
         const bool weight = row.info.slot >= kernel::kDriveBlendNew;
-        const core::BrdfInfo* brdf = core::findBrdf(material()->brdf);
+        const core::BrdfInfo* brdf = core::findBrdf(*material());
         const bool own = row.info.slot < brdf->params.size();
         auto* slider =
             new ParamSlider({.key = key + part,
