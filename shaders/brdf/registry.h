@@ -19,11 +19,8 @@
     X(0, none)       \
     X(1, lambert) X(2, phong) X(3, ggx) X(4, oren_nayar) X(5, blinn_phong) X(6, ward) X(7, coated) X(8, artist)
 
-// BRDFs that a file defines (core/brdf_file.h): a table of measurements, then up to 8 texts of the user
-// (shaders/brdf/user.glsl).
+// BRDFs that a file defines (core/brdf_file.h) have an id, but no entry of their own in the list.
 #define BRDF_MEASURED 9
-#define BRDF_USER_FIRST 16
-#define BRDF_USER_COUNT 8
 
 #define BRDF_DISPATCH_LIST(X) BRDF_LIST(X) X(BRDF_MEASURED, measured)
 
