@@ -20,7 +20,7 @@ constexpr float kLargestReflectance = 0.8f;
 constexpr double kBrightQuantile = 0.99;
 constexpr float kMaxGradient = 1.2f;         // |v|
 constexpr float kOutlier = 0.25f;            // of log luminance
-constexpr float kPriorWeight = 0.002f;        // of the prior against one pixel
+constexpr float kPriorWeight = 0.002f;       // of the prior against one pixel
 const Vector3f kPriorGradient{0, -0.4f, 0};  // from above
 constexpr float kSmallestIrradiance = 0.1f;  // of the mean one; keeps the logarithm finite
 

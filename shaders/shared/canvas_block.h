@@ -23,10 +23,10 @@ KERNEL_BEGIN
 const float kCanvasSurround = 0.033f;  // linear; a neutral dark grey around the picture
 
 struct CanvasBlock {
-    vec2 origin;    // picture position at the view's top-left corner [px]
-    float step;     // picture pixels per view pixel
-    float gain;     // radiance factor, 2^stops
-    uint selected;  // label that is outlined
+    vec2 origin;        // picture position at the view's top-left corner [px]
+    float step;         // picture pixels per view pixel
+    float gain;         // radiance factor, 2^stops
+    uint selected;      // label that is outlined
     float brushRadius;  // [px]
     vec2 brushCenter;   // picture position [px]
 };
