@@ -23,8 +23,9 @@ constexpr std::size_t kMaxPixels = 400000;  // of a segment that are traced; mor
 constexpr std::size_t kMaxProbes = 1500;
 /// Codes just below the largest count as clipped too: sharpening and compression leave them there.
 constexpr float kClipMargin = 0.98f;
-constexpr int kMaxBetween = 12;  // observations along the side of a pixel that are interpolated
-constexpr int kMinBlock = 8;     // pixels; a texture or an error of the normals is to lie in one block
+constexpr int kMaxBetween = 12;                    // observations along the side of a pixel that are interpolated
+constexpr std::size_t kMaxInterpolated = 1000000;  // of these
+constexpr int kMinBlock = 8;  // pixels; a texture or an error of the normals is to lie in one block
 constexpr float kMinRho = 0.02f;
 /// A mirror cannot reflect more than it receives; what exceeds that by more than the error of an estimate is none.
 constexpr float kMaxRho = 1.15f;
@@ -165,6 +166,12 @@ std::optional<Vector3f> mirroredDirection(const Surface& front, int x, int y) {
     if (cosine < kMinCosine) return std::nullopt;
     return (view + 2 * cosine * n).normalized();
 }
+
+/// A pixel and its neighbours to the right and below.
+struct MirrorQuad {
+    std::array<std::size_t, 4> corners{};
+    int steps = 0;  ///< along a side, so that every texel between them is met; 0 = they do not all show the light
+};
 
 /// The pixel shows the environment.
 bool showsLight(const Ending& ending) { return ending.kind == Ending::Missed || ending.kind == Ending::Distant; }
@@ -351,36 +358,48 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
         for (std::size_t i = 0; i < mirrors.size(); ++i)
             mirrorAt(mirrors[i].x, mirrors[i].y) = static_cast<std::int32_t>(i);
         // Where neighbouring pixels mirror directions more than a texel apart, the light between them is interpolated:
-        // observations without gaps.
-        const auto addBetween = [&](std::size_t i) {
-            const Mirror& corner = mirrors[i];
-            std::array<std::size_t, 4> corners{};
+        // observations without gaps. What is most coarse is left out where there would be too many.
+        const auto quadAt = [&](std::size_t i) {
+            MirrorQuad quad;
             float spread = 0;
-            unsigned clipped = 0;
             for (std::size_t k = 0; k < 4; ++k) {
-                const int x = corner.x + static_cast<int>(k % 2);
-                const int y = corner.y + static_cast<int>(k / 2);
-                if (!mirrorAt.contains(x, y) || mirrorAt(x, y) < 0) return;
-                corners[k] = static_cast<std::size_t>(mirrorAt(x, y));
-                if (!showsLight(mirrors[corners[k]].ending)) return;
-                spread = std::max(spread, (mirrors[corners[k]].direction - corner.direction).norm());
-                clipped |= tracer.clipped(x, y);
+                const int x = mirrors[i].x + static_cast<int>(k % 2);
+                const int y = mirrors[i].y + static_cast<int>(k / 2);
+                if (!mirrorAt.contains(x, y) || mirrorAt(x, y) < 0) return MirrorQuad{};
+                quad.corners[k] = static_cast<std::size_t>(mirrorAt(x, y));
+                if (!showsLight(mirrors[quad.corners[k]].ending)) return MirrorQuad{};
+                spread = std::max(spread, (mirrors[quad.corners[k]].direction - mirrors[i].direction).norm());
             }
-            const int steps = std::min(static_cast<int>(1.5f * spread / texelAngle) + 1, kMaxBetween);
-            for (int v = 0; v < steps; ++v) {
-                for (int u = 0; u < steps; ++u) {
+            quad.steps = std::min(static_cast<int>(1.5f * spread / texelAngle) + 1, kMaxBetween);
+            return quad;
+        };
+        std::array<std::size_t, kMaxBetween + 1> quads{};  // by steps
+        if (stride == 1)
+            for (std::size_t i = 0; i < mirrors.size(); ++i) ++quads[static_cast<std::size_t>(quadAt(i).steps)];
+        int mostSteps = 0;
+        for (std::size_t steps = 1, total = 0; steps < quads.size(); ++steps) {
+            total += quads[steps] * (steps * steps - 1);
+            if (total <= kMaxInterpolated) mostSteps = static_cast<int>(steps);
+        }
+        const auto addBetween = [&](std::size_t i) {
+            const MirrorQuad quad = quadAt(i);
+            if (quad.steps > mostSteps) return;
+            unsigned clipped = 0;
+            for (const std::size_t k : quad.corners) clipped |= tracer.clipped(mirrors[k].x, mirrors[k].y);
+            for (int v = 0; v < quad.steps; ++v) {
+                for (int u = 0; u < quad.steps; ++u) {
                     if (u == 0 && v == 0) continue;
-                    const float fu = static_cast<float>(u) / static_cast<float>(steps);
-                    const float fv = static_cast<float>(v) / static_cast<float>(steps);
+                    const float fu = static_cast<float>(u) / static_cast<float>(quad.steps);
+                    const float fv = static_cast<float>(v) / static_cast<float>(quad.steps);
                     const std::array<float, 4> share{(1 - fu) * (1 - fv), fu * (1 - fv), (1 - fu) * fv, fu * fv};
                     Vector3f direction = Vector3f::Zero();
                     Vector3f color = Vector3f::Zero();
                     float weight = 0;
                     for (std::size_t k = 0; k < 4; ++k) {
-                        const Mirror& mirror = mirrors[corners[k]];
+                        const Mirror& mirror = mirrors[quad.corners[k]];
                         direction += share[k] * mirror.direction;
                         color += share[k] * front.color(mirror.x, mirror.y);
-                        weight += share[k] * weights[corners[k]];
+                        weight += share[k] * weights[quad.corners[k]];
                     }
                     missed.add(direction.normalized(), color, weight, clipped);
                 }
@@ -395,7 +414,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
             reflected.add(mirror.direction, color, weights[i], clipped);
             if (showsLight(ending)) {
                 missed.add(mirror.direction, color, weights[i], clipped);
-                if (stride == 1) addBetween(i);
+                addBetween(i);
                 const int half = (mirror.x / block + mirror.y / block) % 2;
                 missedHalves[static_cast<std::size_t>(half)].add(mirror.direction, color, weights[i]);
             }
