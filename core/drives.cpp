@@ -4,37 +4,27 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/brdf.h"
+#include "core/material_ranges.h"
 #include "core/reference_renderer.h"
+#include "core/steps/segment_pixels.h"
 
 namespace core {
 
 namespace {
 
-constexpr float kMaxColor = 100;  // as core/io/material_json.cpp reads them
-constexpr float kMaxIndex = 20;
-constexpr float kMinIndex = 0.01f;
-constexpr float kMaxWeight = 100;
 /// How far clipped detail may be made up for: beyond that, more of the texture would be lost than the mean is worth.
 constexpr float kMaxCorrection = 1.25f;
 
-struct Box {
-    int x0 = std::numeric_limits<int>::max(), y0 = std::numeric_limits<int>::max(), x1 = -1, y1 = -1;
-};
+using steps::PixelBox;
 
-Box boxOf(const LabelImage& labels, std::uint16_t label) {
-    Box box;
+PixelBox boxOf(const LabelImage& labels, std::uint16_t label) {
+    PixelBox box;
     for (int y = 0; y < labels.height(); ++y)
-        for (int x = 0; x < labels.width(); ++x) {
-            if (labels(x, y) != label) continue;
-            box.x0 = std::min(box.x0, x);
-            box.x1 = std::max(box.x1, x);
-            box.y0 = std::min(box.y0, y);
-            box.y1 = y;
-        }
+        for (int x = 0; x < labels.width(); ++x)
+            if (labels(x, y) == label) box.add({x, y});
     return box;
 }
 
@@ -46,8 +36,8 @@ struct Response {
 };
 
 /// Factor on clamp(1 + gain (d − 1), 0, limit) by which its mean over the detail d of the segment's pixels is 1 again.
-float meanCorrection(const LabelImage& labels, std::uint16_t label, const Box& box, const ImageF& detail, float gain,
-                     float limit) {
+float meanCorrection(const LabelImage& labels, std::uint16_t label, const PixelBox& box, const ImageF& detail,
+                     float gain, float limit) {
     // Sums over bins of 1 + gain (d − 1); only the bin in which values are clipped is not exact.
     constexpr std::size_t kBins = 2048;
     constexpr float kRange = 16;
@@ -134,8 +124,8 @@ class Builder {
                          .detail = drive.source == DriveSource::Mask ? nullptr : analysis_.textureDetail,
                          .x = box_.x0,
                          .y = box_.y0,
-                         .width = box_.x1 - box_.x0 + 1,
-                         .height = box_.y1 - box_.y0 + 1,
+                         .width = box_.width(),
+                         .height = box_.height(),
                          .offset = table_.valueCount};
         for (std::size_t i = firstPlane_; i < table_.planes.size(); ++i)
             if (table_.planes[i].mask == plane.mask && table_.planes[i].detail == plane.detail)
@@ -194,7 +184,7 @@ class Builder {
     const LabelImage& labels_;
     const Analysis& analysis_;
     DriveTable table_;
-    Box box_;                     ///< of the segment in work
+    PixelBox box_;                ///< of the segment in work
     std::size_t firstPlane_ = 0;  ///< of the segment in work
 };
 
@@ -210,7 +200,7 @@ std::vector<DriveParameter> driveParameters(const Material& material) {
     }
     if (brdf->usesAlbedo) result.push_back({"albedo", "Diffuse colour", true, 0, 1, kernel::kDriveAlbedo});
     if (brdf->usesSpecular) {
-        result.push_back({"specular", "Specular colour", true, 0, kMaxColor, kernel::kDriveSpecular});
+        result.push_back({"specular", "Specular colour", true, 0, kMaxSpecular, kernel::kDriveSpecular});
         result.push_back({"eta", "Index n", true, kMinIndex, kMaxIndex, kernel::kDriveEta});
         result.push_back({"k", "Extinction k", true, 0, kMaxIndex, kernel::kDriveK});
     }

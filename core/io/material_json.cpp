@@ -8,6 +8,7 @@
 #include "core/io/drive_json.h"
 #include "core/io/json_reader.h"
 #include "core/io/project.h"
+#include "core/material_ranges.h"
 #include "core/metals.h"
 #include "core/translucency.h"
 
@@ -18,10 +19,6 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr float kMaxSpecular = 100;  // an estimated ρ may exceed 1
-constexpr float kMaxIndex = 20;      // metals at long wavelengths reach 10
-constexpr float kMinIndex = 0.01f;   // silver reaches 0.05
-constexpr float kMaxWeight = 100;
 constexpr float kMaxCoefficient = 1e5f;  // [1/mm]
 constexpr float kMaxFreePath = 1e5f;     // [mm]
 constexpr float kMinFreePath = 1e-4f;    // [mm]

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "core/brdf.h"
 #include "core/drives.h"
 #include "core/reference_renderer.h"
+#include "core/render/drive_buffers.h"
 #include "core/render/kernels.h"
 #include "core/render/measured_tables.h"
 #include "core/render/passes/composite_pass.h"
@@ -91,7 +91,7 @@ struct Renderer::Impl {
     std::shared_ptr<const core::Analysis> analysis;
     std::vector<kernel::SegmentShading> shading;
     core::DriveTable drives;
-    std::vector<core::DrivePlane> uploadedPlanes;  ///< what `paths.driveValues` holds
+    DriveBuffers driveBuffers;
     MeasuredTables measured;
     bool layersStale = false;
     bool environmentStale = false;
@@ -104,9 +104,7 @@ struct Renderer::Impl {
     void setScene(const core::Scene& next, std::shared_ptr<const core::Analysis> nextAnalysis);
     [[nodiscard]] std::vector<kernel::SegmentShading> shadingTable(const core::Scene& s, const core::Analysis& a) const;
     void updateSegment(SegmentState& state, const core::Segment& segment);
-    [[nodiscard]] std::vector<DriveKey> driveKeys(const core::Segment* only) const;
     void upload();
-    void uploadDrives();
     void prepareTargets();
     void preparePixels(SegmentState& state);
     void prepareSilhouette(SegmentState& state);
@@ -189,23 +187,6 @@ void Renderer::Impl::setScene(const core::Scene& next, std::shared_ptr<const cor
     for (SegmentState& state : segments) state.silhouette = {};  // who borders on whom
 }
 
-std::vector<DriveKey> Renderer::Impl::driveKeys(const core::Segment* only) const {
-    std::vector<DriveKey> keys;
-    for (const core::Segment& segment : scene.segments) {
-        if (only != nullptr && segment.label != only->label) continue;
-        const kernel::uvec4 range = shading[segment.label].drives;
-        for (std::uint32_t i = range.x; i < range.x + range.y; ++i) {
-            const core::DrivePlane& plane = drives.planes[drives.planeOf[i]];
-            // The weights of the camera's own surface are the composite's.
-            if (only != nullptr && drives.drives[i].slot >= kernel::kDriveBlendNew) continue;
-            std::shared_ptr<const void> source = plane.mask;
-            if (!plane.mask) source = plane.detail;
-            keys.push_back({segment.label, drives.drives[i], std::move(source)});
-        }
-    }
-    return keys;
-}
-
 void Renderer::Impl::updateSegment(SegmentState& state, const core::Segment& segment) {
     const core::Material& material = *segment.edit;
     if (!(state.material == material) || !material.drives.empty()) state.compositeStale = true;
@@ -219,10 +200,10 @@ void Renderer::Impl::updateSegment(SegmentState& state, const core::Segment& seg
         kernel::SegmentShading own{};
         own.brdf = shading[segment.label].brdf;
         key.shading = {own};
-        key.drives = driveKeys(&segment);
+        key.drives = driveKeys(scene, shading, drives, &segment);
     } else {
         key.shading = shading;
-        key.drives = driveKeys(nullptr);
+        key.drives = driveKeys(scene, shading, drives, nullptr);
         lightKey.shading = key.shading;
         lightKey.drives = key.drives;
     }
@@ -285,7 +266,11 @@ void Renderer::Impl::upload() {
             paths.shading = makeBuffer(device, "segment shading", gpu::BufferUsage::Storage, shading);
             for (SegmentState& state : segments) state.reshadeGroup = state.irradianceGroup = {};
         }
-        uploadDrives();
+        if (driveBuffers.upload(device, drives))
+            for (SegmentState& state : segments)
+                state.reshadeGroup = state.irradianceGroup = state.compositeGroup = state.silhouetteGroup = {};
+        paths.drives = driveBuffers.drives();
+        paths.driveValues = driveBuffers.values();
         shadingStale = false;
     }
     if (!segments.empty()) {
@@ -309,45 +294,6 @@ void Renderer::Impl::upload() {
         if (!state.silhouetteGroup) state.silhouetteGroup = silhouette.bind(paths, state.silhouette, targets);
         if (!state.compositeGroup) state.compositeGroup = composite.bind(paths, state.pixels, targets);
     }
-}
-
-void Renderer::Impl::uploadDrives() {
-    const auto dropGroups = [&] {
-        for (SegmentState& state : segments)
-            state.reshadeGroup = state.irradianceGroup = state.compositeGroup = state.silhouetteGroup = {};
-    };
-    if (!paths.drives || paths.drives.size() < drives.drives.size() * sizeof(kernel::Drive)) {
-        paths.drives = makeBuffer(device, "drives", gpu::BufferUsage::Storage, drives.drives);
-        dropGroups();
-    } else if (!drives.empty()) {
-        device.queue().writeBuffer(paths.drives, 0, drives.drives);
-    }
-    const auto samePlace = [](const core::DrivePlane& a, const core::DrivePlane& b) {
-        return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height && a.offset == b.offset;
-    };
-    const bool inPlace = paths.driveValues && std::equal(drives.planes.begin(), drives.planes.end(),
-                                                         uploadedPlanes.begin(), uploadedPlanes.end(), samePlace);
-    if (!inPlace) {
-        paths.driveValues = makeBuffer(device, "drive values", gpu::BufferUsage::Storage, drives.values());
-        dropGroups();
-    }
-    for (std::size_t i = 0; inPlace && i < drives.planes.size(); ++i) {
-        const core::DrivePlane& plane = drives.planes[i];
-        const core::DrivePlane& old = uploadedPlanes[i];
-        if (plane.mask == old.mask && plane.detail == old.detail) continue;
-        int first = plane.y;
-        int last = plane.y + plane.height;
-        if (plane.mask && old.mask) std::tie(first, last) = plane.mask->changedRows(*old.mask);
-        first = std::max(first - plane.y, 0);
-        last = std::min(last - plane.y, plane.height);
-        if (first >= last) continue;
-        const auto width = static_cast<std::size_t>(plane.width);
-        std::vector<float> rows(width * static_cast<std::size_t>(last - first));
-        plane.copyRows(first, last - first, rows);
-        device.queue().writeBuffer(paths.driveValues,
-                                   (plane.offset + width * static_cast<std::size_t>(first)) * sizeof(float), rows);
-    }
-    uploadedPlanes = drives.planes;
 }
 
 void Renderer::Impl::prepareTargets() {

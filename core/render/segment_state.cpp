@@ -2,6 +2,7 @@
 #include "core/render/segment_state.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace render {
 namespace {
@@ -24,6 +25,24 @@ bool equal(const DriveKey& a, const DriveKey& b) {
 }
 
 }  // namespace
+
+std::vector<DriveKey> driveKeys(const core::Scene& scene, std::span<const kernel::SegmentShading> shading,
+                                const core::DriveTable& table, const core::Segment* only) {
+    std::vector<DriveKey> keys;
+    for (const core::Segment& segment : scene.segments) {
+        if (only != nullptr && segment.label != only->label) continue;
+        const kernel::uvec4 range = shading[segment.label].drives;
+        for (std::uint32_t i = range.x; i < range.x + range.y; ++i) {
+            const core::DrivePlane& plane = table.planes[table.planeOf[i]];
+            // The weights of the camera's own surface are the composite's.
+            if (only != nullptr && table.drives[i].slot >= kernel::kDriveBlendNew) continue;
+            std::shared_ptr<const void> source = plane.mask;
+            if (!plane.mask) source = plane.detail;
+            keys.push_back({segment.label, table.drives[i], std::move(source)});
+        }
+    }
+    return keys;
+}
 
 bool SumKey::same(const SumKey& other) const {
     return seed == other.seed && bounces == other.bounces && surfaceSamples == other.surfaceSamples &&

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "core/drives.h"
 #include "core/material.h"
 #include "core/render/passes/filter_pass.h"
 #include "core/render/passes/segment_targets.h"
@@ -19,6 +21,10 @@ struct DriveKey {
     kernel::Drive drive;
     std::shared_ptr<const void> source;  ///< mask or detail
 };
+
+/// Of all segments, or with `only` those its own paths follow; `shading` by label, with the ranges of `table`.
+[[nodiscard]] std::vector<DriveKey> driveKeys(const core::Scene& scene, std::span<const kernel::SegmentShading> shading,
+                                              const core::DriveTable& table, const core::Segment* only);
 
 /// Everything a sum depends on. A sum is restarted exactly when the key it was begun with is no longer the key.
 struct SumKey {

@@ -42,6 +42,7 @@ Vector3f clampedGradient(const Vector3f& gradient) {
 /// v of E(n) ∝ 1 + v·n: Gauss-Newton with Huber's weights, the albedos eliminated as means per segment.
 Vector3f fitGradient(const std::vector<ShadedPixel>& pixels) {
     Vector3f gradient = kPriorGradient;
+    if (pixels.empty()) return gradient;
     for (int iteration = 0; iteration < kIterations; ++iteration) {
         struct Mean {
             double weight = 0, residual = 0;

@@ -167,12 +167,6 @@ std::optional<Vector3f> mirroredDirection(const Surface& front, int x, int y) {
     return (view + 2 * cosine * n).normalized();
 }
 
-/// A pixel and its neighbours to the right and below.
-struct MirrorQuad {
-    std::array<std::size_t, 4> corners{};
-    int steps = 0;  ///< along a side, so that every texel between them is met; 0 = they do not all show the light
-};
-
 /// The pixel shows the environment.
 bool showsLight(const Ending& ending) { return ending.kind == Ending::Missed || ending.kind == Ending::Distant; }
 
@@ -188,6 +182,70 @@ float sharpness(const LabelImage& labels, const Surface& front, const Mirror& mi
     }
     const float texels = 0.5f * spread / texelAngle;
     return 1 / (1 + texels * texels);
+}
+
+/// A pixel and its neighbours to the right and below.
+struct MirrorQuad {
+    std::array<std::size_t, 4> corners{};
+    int steps = 0;  ///< along a side, so that every texel between them is met; 0 = they do not all show the light
+};
+
+MirrorQuad quadAt(std::span<const Mirror> mirrors, const Image<std::int32_t>& mirrorAt, std::size_t first,
+                  float texelAngle) {
+    MirrorQuad quad;
+    float spread = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const int x = mirrors[first].x + static_cast<int>(k % 2);
+        const int y = mirrors[first].y + static_cast<int>(k / 2);
+        if (!mirrorAt.contains(x, y) || mirrorAt(x, y) < 0) return {};
+        quad.corners[k] = static_cast<std::size_t>(mirrorAt(x, y));
+        if (!showsLight(mirrors[quad.corners[k]].ending)) return {};
+        spread = std::max(spread, (mirrors[quad.corners[k]].direction - mirrors[first].direction).norm());
+    }
+    quad.steps = std::min(static_cast<int>(1.5f * spread / texelAngle) + 1, kMaxBetween);
+    return quad;
+}
+
+/// Where neighbouring pixels mirror directions more than a texel apart, adds the light between them, interpolated:
+/// observations without gaps. The coarsest are left out where there would be more than `kMaxInterpolated`.
+void addBetween(const Tracer& tracer, std::span<const Mirror> mirrors, std::span<const float> weights, float texelAngle,
+                DirectionalAccumulator& light) {
+    Image<std::int32_t> mirrorAt(tracer.front.depth.width(), tracer.front.depth.height(), -1);
+    for (std::size_t i = 0; i < mirrors.size(); ++i)
+        mirrorAt(mirrors[i].x, mirrors[i].y) = static_cast<std::int32_t>(i);
+    std::vector<MirrorQuad> quads;
+    std::array<std::size_t, kMaxBetween + 1> counts{};  // by steps
+    for (std::size_t i = 0; i < mirrors.size(); ++i) {
+        const MirrorQuad quad = quadAt(mirrors, mirrorAt, i, texelAngle);
+        if (quad.steps < 2) continue;
+        quads.push_back(quad);
+        ++counts[static_cast<std::size_t>(quad.steps)];
+    }
+    int mostSteps = 0;
+    for (std::size_t steps = 1, total = 0; steps < counts.size(); ++steps) {
+        total += counts[steps] * (steps * steps - 1);
+        if (total <= kMaxInterpolated) mostSteps = static_cast<int>(steps);
+    }
+    for (const MirrorQuad& quad : quads) {
+        if (quad.steps > mostSteps) continue;
+        unsigned clipped = 0;
+        for (const std::size_t k : quad.corners) clipped |= tracer.clipped(mirrors[k].x, mirrors[k].y);
+        for (int i = 1; i < quad.steps * quad.steps; ++i) {
+            const float u = static_cast<float>(i % quad.steps) / static_cast<float>(quad.steps);
+            const float v = static_cast<float>(i / quad.steps) / static_cast<float>(quad.steps);
+            const std::array<float, 4> share{(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
+            Vector3f direction = Vector3f::Zero();
+            Vector3f color = Vector3f::Zero();
+            float weight = 0;
+            for (std::size_t k = 0; k < 4; ++k) {
+                const Mirror& mirror = mirrors[quad.corners[k]];
+                direction += share[k] * mirror.direction;
+                color += share[k] * tracer.front.color(mirror.x, mirror.y);
+                weight += share[k] * weights[quad.corners[k]];
+            }
+            light.add(direction.normalized(), color, weight, clipped);
+        }
+    }
 }
 
 /// Rays of one probe: one along the mirrored direction, then ring by ring.
@@ -354,57 +412,6 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
                 weights[i] = sharpness(photo.labels, front, mirror, texelAngle);
             },
             0.35f, 0.4f);
-        Image<std::int32_t> mirrorAt(width, height, -1);
-        for (std::size_t i = 0; i < mirrors.size(); ++i)
-            mirrorAt(mirrors[i].x, mirrors[i].y) = static_cast<std::int32_t>(i);
-        // Where neighbouring pixels mirror directions more than a texel apart, the light between them is interpolated:
-        // observations without gaps. What is most coarse is left out where there would be too many.
-        const auto quadAt = [&](std::size_t i) {
-            MirrorQuad quad;
-            float spread = 0;
-            for (std::size_t k = 0; k < 4; ++k) {
-                const int x = mirrors[i].x + static_cast<int>(k % 2);
-                const int y = mirrors[i].y + static_cast<int>(k / 2);
-                if (!mirrorAt.contains(x, y) || mirrorAt(x, y) < 0) return MirrorQuad{};
-                quad.corners[k] = static_cast<std::size_t>(mirrorAt(x, y));
-                if (!showsLight(mirrors[quad.corners[k]].ending)) return MirrorQuad{};
-                spread = std::max(spread, (mirrors[quad.corners[k]].direction - mirrors[i].direction).norm());
-            }
-            quad.steps = std::min(static_cast<int>(1.5f * spread / texelAngle) + 1, kMaxBetween);
-            return quad;
-        };
-        std::array<std::size_t, kMaxBetween + 1> quads{};  // by steps
-        if (stride == 1)
-            for (std::size_t i = 0; i < mirrors.size(); ++i) ++quads[static_cast<std::size_t>(quadAt(i).steps)];
-        int mostSteps = 0;
-        for (std::size_t steps = 1, total = 0; steps < quads.size(); ++steps) {
-            total += quads[steps] * (steps * steps - 1);
-            if (total <= kMaxInterpolated) mostSteps = static_cast<int>(steps);
-        }
-        const auto addBetween = [&](std::size_t i) {
-            const MirrorQuad quad = quadAt(i);
-            if (quad.steps > mostSteps) return;
-            unsigned clipped = 0;
-            for (const std::size_t k : quad.corners) clipped |= tracer.clipped(mirrors[k].x, mirrors[k].y);
-            for (int v = 0; v < quad.steps; ++v) {
-                for (int u = 0; u < quad.steps; ++u) {
-                    if (u == 0 && v == 0) continue;
-                    const float fu = static_cast<float>(u) / static_cast<float>(quad.steps);
-                    const float fv = static_cast<float>(v) / static_cast<float>(quad.steps);
-                    const std::array<float, 4> share{(1 - fu) * (1 - fv), fu * (1 - fv), (1 - fu) * fv, fu * fv};
-                    Vector3f direction = Vector3f::Zero();
-                    Vector3f color = Vector3f::Zero();
-                    float weight = 0;
-                    for (std::size_t k = 0; k < 4; ++k) {
-                        const Mirror& mirror = mirrors[quad.corners[k]];
-                        direction += share[k] * mirror.direction;
-                        color += share[k] * front.color(mirror.x, mirror.y);
-                        weight += share[k] * weights[quad.corners[k]];
-                    }
-                    missed.add(direction.normalized(), color, weight, clipped);
-                }
-            }
-        };
         for (std::size_t i = 0; i < mirrors.size(); ++i) {
             const Mirror& mirror = mirrors[i];
             const Ending& ending = mirror.ending;
@@ -414,7 +421,6 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
             reflected.add(mirror.direction, color, weights[i], clipped);
             if (showsLight(ending)) {
                 missed.add(mirror.direction, color, weights[i], clipped);
-                addBetween(i);
                 const int half = (mirror.x / block + mirror.y / block) % 2;
                 missedHalves[static_cast<std::size_t>(half)].add(mirror.direction, color, weights[i]);
             }
@@ -423,6 +429,8 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
                 pairIncident.add(mirror.direction, ending.color);
             }
         }
+
+        if (stride == 1) addBetween(tracer, mirrors, weights, texelAngle, missed);
 
         // What arrives at the centre, with the segment itself taken away.
         std::vector<MarchRay> rays;

@@ -104,6 +104,13 @@ float received(const ShadedBall& ball) {
     return light.mean * (1 + 2 * (1 / std::tanh(k) - 1 / k) * light.axis.dot(facing / count));
 }
 
+TEST(LightFromShading, WithoutSegmentsItIsFromAbove) {
+    ShadedBall ball([](const Vector3f& n) { return 1 + 0.5f * n.x(); });
+    for (std::uint16_t& label : ball.photo.labels.pixels()) label = 0;
+    EXPECT_LT(degreesBetween(ball.light().axis, {0, -1, 0}), 1);
+    EXPECT_GT(ball.light().mean, 0);
+}
+
 TEST(LightFromShading, BrightnessFollowsTheMeter) {
     // Lit by radiance 2: reflects 18 % of it on the average, a tenth of it more.
     ShadedBall ball([](const Vector3f&) { return 1.0f; });
