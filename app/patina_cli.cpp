@@ -70,6 +70,7 @@ int main(int argc, char** argv) {
     cli::addInfo(app, session);
     cli::addExport(app, session);
     cli::addRender(app, session);
+    cli::addBrdf(app, session);
     cli::addDevices(app, session);
     cli::addBench(app, session);
     try {

@@ -39,3 +39,26 @@ function(patina_kernels target)
   add_dependencies(${target} ${target}_spirv)
   target_include_directories(${target} INTERFACE ${include_dir})
 endfunction()
+
+# patina_kernel_texts(TARGET FILE...): embeds the preprocessed text of kernels of TARGET as `const char* <stem>_text`,
+# included as "kernels/<stem>_text.h", for compiling them again with BRDFs that the user wrote.
+function(patina_kernel_texts target)
+  set(script ${PROJECT_SOURCE_DIR}/cmake/kernel_text.cmake)
+  set(headers)
+  foreach(file ${ARGN})
+    get_filename_component(stem ${file} NAME_WE)
+    get_filename_component(source ${file} ABSOLUTE)
+    set(header ${CMAKE_BINARY_DIR}/kernels/include/kernels/${stem}_text.h)
+    # The kernel's own words are made anew when anything it includes changes.
+    add_custom_command(
+      OUTPUT ${header}
+      COMMAND ${CMAKE_COMMAND} -DGLSLANG=${GLSLANG} -DSOURCE=${source} -DINCLUDE_DIR=${PROJECT_SOURCE_DIR} -DNAME=${stem}
+        -DOUTPUT=${header} -P ${script}
+      DEPENDS ${script} ${source} ${CMAKE_BINARY_DIR}/kernels/spv/${stem}.words
+      COMMENT "Text of kernel ${stem}"
+      VERBATIM)
+    list(APPEND headers ${header})
+  endforeach()
+  add_custom_target(${target}_texts DEPENDS ${headers})
+  add_dependencies(${target} ${target}_texts)
+endfunction()

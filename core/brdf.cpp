@@ -74,7 +74,7 @@ kernel::BrdfParams toKernel(const Material& material, const Vector3f& estimatedS
     b.values2 = {v[4], v[5], v[6], v[7]};
     b.values3 = {v[8], v[9], v[10], v[11]};
     b.type = static_cast<kernel::uint>(info->id);
-    b.file = 0;
+    b.file = material.brdfFile && material.brdfFile->user ? material.brdfFile->user->revision : 0;
     b.measured = material.brdfFile && material.brdfFile->measured ? material.brdfFile->measured->table.data() : nullptr;
     return b;
 }

@@ -46,6 +46,19 @@ std::shared_ptr<BrdfFile> makeBrdfFile(const std::string& path) {
     return file;
 }
 
+void describe(BrdfFile& file, const UserBrdf& user) {
+    file.info.id = BRDF_USER;
+    file.info.params = user.params;
+    file.info.usesAlbedo = user.usesAlbedo;
+    file.info.usesSpecular = user.usesSpecular;
+    file.info.defaultFresnel = user.defaultFresnel;
+}
+
+UserBrdfCheck& userBrdfCheck() {
+    static UserBrdfCheck check;
+    return check;
+}
+
 /// What is in use, by path.
 class Cache {
   public:
@@ -72,17 +85,32 @@ std::shared_ptr<const BrdfFile> loadBrdfFile(const std::string& path) {
     const Stamp stamp = stampOf(path);
     if (auto known = cache.find(path, stamp)) return known;
     const std::shared_ptr<BrdfFile> file = makeBrdfFile(path);
-    file->measured = loadMeasuredBrdf(path);
+    if (path.ends_with(kUserBrdfExtension)) {
+        file->user = loadUserBrdf(path);
+        describe(*file, *file->user);
+        if (const UserBrdfCheck& check = userBrdfCheck()) check(file);
+    } else {
+        file->measured = loadMeasuredBrdf(path);
+    }
     cache.store(path, stamp, file);
     return file;
 }
 
-std::shared_ptr<const BrdfFile> loadBrdfFileOrProblem(const std::string& path) {
+void setUserBrdfCheck(UserBrdfCheck check) { userBrdfCheck() = std::move(check); }
+
+std::shared_ptr<const BrdfFile> loadBrdfFileOrProblem(const std::string& path, const std::vector<std::string>& keys) {
     try {
         return loadBrdfFile(path);
     } catch (const Error& error) {
         const std::shared_ptr<BrdfFile> file = makeBrdfFile(path);
         file->problem = error.what();
+        for (const std::string& key : keys) {
+            if (file->unread.size() == kBrdfValueCount) break;
+            const char* name = file->unreadKeys.emplace_back(key).c_str();
+            file->unread.push_back({name, name, "", -kNoValue, kNoValue, kNoValue, false});
+        }
+        file->info.params = file->unread;
+        file->info.usesAlbedo = file->info.usesSpecular = true;
         return file;
     }
 }
@@ -102,7 +130,7 @@ Material withReloadedFile(const Material& material, std::shared_ptr<const BrdfFi
     result.values = fresh.values;
     for (std::size_t i = 0; i < after.size(); ++i)
         for (std::size_t j = 0; j < before.size(); ++j)
-            if (std::string_view(after[i].key) == before[j].key)
+            if (std::string_view(after[i].key) == before[j].key && material.values.at(j) != kNoValue)
                 result.values.at(i) = std::clamp(material.values.at(j), after[i].min, after[i].max);
     return result;
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/brdf.h"
+#include "core/brdf_file.h"
 #include "core/image_filter.h"
 #include "core/luminance.h"
 #include "core/parallel.h"
@@ -101,6 +101,10 @@ ReferenceRenderer::ReferenceRenderer(const Scene& scene, std::shared_ptr<const A
       shading_(buildSegmentShading(scene_, *analysis_)),
       drives_(buildDrives(scene_, *analysis_, shading_)),
       driveValues_(drives_.values()) {
+    for (const Segment& segment : scene_.segments)
+        if (segment.edit && segment.edit->brdfFile && segment.edit->brdfFile->user)
+            throw Error(ErrorKind::Usage, "\"" + segment.edit->brdfFile->path +
+                                              "\" is GLSL, which only a graphics device can run.");
     if (lightSampling == LightSampling::Both && analysis_->environment)
         sampler_ = EnvironmentSampler(*analysis_->environment);
 }

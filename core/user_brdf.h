@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,33 +14,42 @@
 
 namespace core {
 
-/// The text of a `.brdf.glsl` file (docs/user-brdfs.md), checked and made ready to stand in a kernel beside others:
-/// comments and declarations of parameters are gone, every name is the file's own, and loops count their steps. Lines
-/// stay where they are.
+/// A BRDF that the user wrote (docs/user-brdfs.md), made ready to stand in a kernel beside others: declarations of
+/// parameters are taken out, names are the file's own, loops count their steps, indices stay inside. Lines stay where
+/// they are in the file.
 struct UserBrdf {
     std::string path;
-    std::string code;        ///< every name the file declares begins with kUserBrdfPrefix
-    std::uint32_t revision;  ///< of the text, from its hash: two different texts have two different ones
+    std::string code;  ///< every name that the file declares begins with kUserBrdfPrefix
+    /// Of the text: another text has another one, as far as 32 bits can tell.
+    std::uint32_t revision = 0;
     std::vector<ParamInfo> params;
-    std::deque<std::string> texts;  ///< what `params` points into
     bool usesAlbedo = false;
     bool usesSpecular = false;
     Fresnel defaultFresnel = Fresnel::None;
-    std::vector<std::string> names;  ///< of the parameters, as `code` has them
+    int evaluateLine = 1, pdfLine = 1, sampleLine = 1;  ///< of the three functions
+    std::deque<std::string> texts;                      ///< what `params` points into
+
+    UserBrdf() = default;
+    UserBrdf(const UserBrdf&) = delete;
+    UserBrdf& operator=(const UserBrdf&) = delete;
 };
 
-/// Stands for the file in names of its code; whoever inserts the code replaces it by the file's slot.
-inline constexpr std::string_view kUserBrdfPrefix = "user@_";
+/// In `UserBrdf::code`, before every name; whoever inserts the code replaces the @ by the file's number.
+inline constexpr std::string_view kUserBrdfPrefix = "user@n";
 
-/// How far a user's text may go: bytes of the file, tokens in it, tokens after calls are expanded, depth of nesting and
-/// tokens of one statement. What stays below compiles in bounded time and memory and, as its loops end, always ends.
+inline constexpr std::string_view kUserBrdfExtension = ".brdf.glsl";
 inline constexpr std::size_t kMaxUserBrdfBytes = 64 << 10;
-inline constexpr std::size_t kMaxUserBrdfTokens = 6000;
-inline constexpr std::size_t kMaxUserBrdfExpanded = 30000;
-inline constexpr std::size_t kMaxUserBrdfNesting = 48;
-inline constexpr std::size_t kMaxUserBrdfStatement = 600;
+/// Tokens of a function once what it calls stands in its place, which is what drivers make of it.
+inline constexpr std::size_t kMaxUserBrdfExpanded = 8000;
+inline constexpr int kMaxUserBrdfElements = 64;     ///< of an array
+inline constexpr int kMaxUserBrdfElementSum = 256;  ///< of all numbers in brackets
 
-/// Reads a file. Throws Error(Input) naming file, line and reason.
-[[nodiscard]] UserBrdf parseUserBrdf(const std::string& path, std::string_view text);
+/// Reads the text of a file. What it accepts compiles in bounded time, ends, and reaches nothing but its own names and
+/// what it is offered; whether it is GLSL only the compiler knows (core/render/user_kernels.h). Throws Error(Input)
+/// naming path, line and reason.
+[[nodiscard]] std::shared_ptr<const UserBrdf> parseUserBrdf(const std::string& path, std::string_view text);
+
+/// The same from a file. Throws Error(Input).
+[[nodiscard]] std::shared_ptr<const UserBrdf> loadUserBrdf(const std::string& path);
 
 }  // namespace core

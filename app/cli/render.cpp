@@ -14,6 +14,7 @@
 #include "core/io/image_io.h"
 #include "core/io/project.h"
 #include "core/metals.h"
+#include "core/render/brdf_check.h"
 #include "core/render/renderer.h"
 
 namespace cli {
@@ -63,6 +64,14 @@ Edits parseEdits(const Arguments& args) {
 }
 
 void render(const Arguments& args, bool samplesGiven, bool bouncesGiven, bool seedGiven, const Session& session) {
+    gpu::Device device;
+    const auto open = [&] {
+        if (!device) device = openDevice(session);
+    };
+    core::setUserBrdfCheck([&](const std::shared_ptr<const core::BrdfFile>& file) {
+        open();
+        render::requireSound(device, file);
+    });
     const Edits edits = parseEdits(args);
     core::requireColorExtension(args.output);
     core::Scene scene = loadScene(args.project);
@@ -90,7 +99,7 @@ void render(const Arguments& args, bool samplesGiven, bool bouncesGiven, bool se
     if (args.noFilter) scene.render.filter = false;
     core::requireWritable(args.output);
 
-    const gpu::Device device = openDevice(session);
+    open();
     const core::StepContext context = makeStepContext();
     const std::shared_ptr<const core::Analysis> analysis = analyse(scene, session);
     printNotes(core::analysisNotes(scene, *analysis));

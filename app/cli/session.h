@@ -34,6 +34,7 @@ void addCreate(CLI::App& app, Session& session);
 void addInfo(CLI::App& app, Session& session);
 void addExport(CLI::App& app, Session& session);
 void addRender(CLI::App& app, Session& session);
+void addBrdf(CLI::App& app, Session& session);
 void addDevices(CLI::App& app, Session& session);
 void addBench(CLI::App& app, Session& session);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/material_json.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "core/brdf.h"
 #include "core/brdf_file.h"
@@ -108,8 +110,27 @@ ordered_json writeTranslucency(const Translucency& t) {
 
 constexpr std::string_view kFilePrefix = "file:";
 
+/// Names in an edit that may be parameters of its BRDF: those that a number or a drive goes with.
+std::vector<std::string> namedParameters(const json& edit) {
+    static const std::set<std::string, std::less<>> kOwn{"eta", "k", "albedo", "specular"};
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& name) {
+        if (!kOwn.contains(name) && name.find('.') == std::string::npos &&
+            std::find(names.begin(), names.end(), name) == names.end())
+            names.push_back(name);
+    };
+    for (const auto& [key, value] : edit.items())
+        if (value.is_number()) add(key);
+    const auto drives = edit.find("drives");
+    if (drives == edit.end() || !drives->is_array()) return names;
+    for (const json& drive : *drives)
+        if (drive.is_object() && drive.contains("parameter") && drive["parameter"].is_string())
+            add(drive["parameter"].get<std::string>());
+    return names;
+}
+
 /// The material that "brdf" names, with its initial values.
-Material readBrdf(JsonReader& reader, const std::string& folder, std::vector<std::string>* notes) {
+Material readBrdf(JsonReader& reader, const json& edit, const std::string& folder, std::vector<std::string>* notes) {
     const json& name = *reader.find("brdf");
     if (!name.is_string() || !name.get<std::string>().starts_with(kFilePrefix))
         return defaultMaterial(brdfs()[*reader.readChoice("brdf", brdfKeys())]);
@@ -117,7 +138,7 @@ Material readBrdf(JsonReader& reader, const std::string& folder, std::vector<std
     if (path.empty()) reader.fail("brdf", "a path after \"file:\"", name);
     const std::string full = path.is_absolute() ? path.string() : (std::filesystem::path(folder) / path).string();
     if (notes == nullptr) return fileMaterial(loadBrdfFile(full));
-    Material material = fileMaterial(loadBrdfFileOrProblem(full));
+    Material material = fileMaterial(loadBrdfFileOrProblem(full, namedParameters(edit)));
     if (!usable(material))
         notes->push_back("\"" + reader.place("brdf") + "\" is left out: " + material.brdfFile->problem);
     return material;
@@ -129,7 +150,7 @@ Material readMaterial(const json& value, const std::string& place, ErrorKind kin
                       const std::string& folder, std::vector<std::string>* notes) {
     JsonReader reader(value, place, kind);
     reader.require("brdf");
-    Material material = readBrdf(reader, folder, notes);
+    Material material = readBrdf(reader, value, folder, notes);
     const BrdfInfo& brdf = *findBrdf(material);
     reader.read("albedo", material.albedo, 0.0f, 1.0f);
     std::vector<std::string> metalKeys;
@@ -182,7 +203,7 @@ ordered_json writeMaterial(const Material& material, const std::function<std::st
     result["albedo"] = toJson(material.albedo);
     result["specular"] = material.specular ? toJson(*material.specular) : json("estimated");
     for (std::size_t i = 0; brdf != nullptr && i < brdf->params.size(); ++i)
-        result[brdf->params[i].key] = toJson(material.values[i]);
+        if (material.values[i] != kNoValue) result[brdf->params[i].key] = toJson(material.values[i]);
     result["fresnel"] = fresnelKey(material.fresnel);
     const Metal* metal = brdf != nullptr && brdf->usesSpecular ? metalOf(material) : nullptr;
     if (metal != nullptr) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "shaders/brdf/registry.h"
 #include "shaders/shared/geometry_block.h"
 
 namespace render {
@@ -22,13 +23,18 @@ BrdfPipeline::BrdfPipeline(const gpu::Device& device, std::string label, std::sp
           {.label = label_, .bindGroupLayouts = std::move(groups), .pushConstantSize = pushConstantSize})),
       module_(device.createShaderModule({.label = label_, .code = code})) {}
 
-void BrdfPipeline::use(std::uint32_t brdfs, bool driven) {
+void BrdfPipeline::use(std::uint32_t brdfs, bool driven, std::shared_ptr<const std::vector<std::uint32_t>> userCode) {
+    if (userCode && userCode != userCode_) {
+        std::erase_if(pipelines_, [](const auto& entry) { return entry.first.first >> BRDF_USER != 0; });
+        userCode_ = std::move(userCode);
+        userModule_ = device_.createShaderModule({.label = label_ + " with user BRDFs", .code = *userCode_});
+    }
     chosen_ = {brdfs, driven};
     if (pipelines_.contains(chosen_)) return;
     pipelines_[chosen_] =
         device_.createComputePipeline({.label = label_,
                                        .layout = layout_,
-                                       .module = module_,
+                                       .module = brdfs >> BRDF_USER != 0 ? userModule_ : module_,
                                        .constants = {{"0", static_cast<double>(brdfs)}, {"1", driven ? 1.0 : 0.0}}});
 }
 

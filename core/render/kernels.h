@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -33,8 +34,9 @@ class BrdfPipeline {
                  std::vector<gpu::BindGroupLayout> groups, std::uint32_t pushConstantSize);
 
     /// Chooses the BRDFs, bit = id in shaders/brdf/registry.h, and whether parameters vary over segments. Compiles when
-    /// there is no pipeline for them yet.
-    void use(std::uint32_t brdfs, bool driven);
+    /// there is no pipeline for them yet. `userCode`: the kernel with BRDFs that the user wrote, when there are any; it
+    /// replaces the one before.
+    void use(std::uint32_t brdfs, bool driven, std::shared_ptr<const std::vector<std::uint32_t>> userCode = nullptr);
     /// For what was chosen last.
     [[nodiscard]] const gpu::ComputePipeline& pipeline() const { return pipelines_.at(chosen_); }
 
@@ -43,6 +45,8 @@ class BrdfPipeline {
     std::string label_;
     gpu::PipelineLayout layout_;
     gpu::ShaderModule module_;
+    gpu::ShaderModule userModule_;
+    std::shared_ptr<const std::vector<std::uint32_t>> userCode_;
     using Choice = std::pair<std::uint32_t, bool>;
     Choice chosen_;
     std::map<Choice, gpu::ComputePipeline> pipelines_;

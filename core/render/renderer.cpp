@@ -18,6 +18,7 @@
 #include "core/render/scene_geometry.h"
 #include "core/render/segment_state.h"
 #include "core/render/slice_timer.h"
+#include "core/render/user_kernels.h"
 #include "core/translucency.h"
 #include "shaders/shared/rng.h"
 
@@ -93,6 +94,7 @@ struct Renderer::Impl {
     core::DriveTable drives;
     DriveBuffers driveBuffers;
     MeasuredTables measured;
+    UserKernels userKernels;
     bool layersStale = false;
     bool environmentStale = false;
     bool shadingStale = false;
@@ -111,6 +113,7 @@ struct Renderer::Impl {
     void prepareTranslucency(SegmentState& state);
 
     bool record(gpu::CommandEncoder& encoder, double budgetSeconds);
+    void waitForKernels(const gpu::CommandEncoder& encoder);
     [[nodiscard]] std::pair<SegmentState*, Task> nextTask();
     [[nodiscard]] bool wantsFilter(const SegmentState& state) const;
     double recordReshade(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds);
@@ -147,6 +150,7 @@ void Renderer::Impl::setScene(const core::Scene& next, std::shared_ptr<const cor
     geometry.requireBufferFits("varying parameters", nextDrives.valueCount * sizeof(float));
     const MeasuredFiles files = placeMeasured(next, table);
     measured.requireFits(device, files);
+    const UserFiles userFiles = placeUserBrdfs(next, table);
 
     const bool newLayers = !analysis || next.photo != scene.photo || nextAnalysis->front != analysis->front ||
                            nextAnalysis->back != analysis->back;
@@ -164,6 +168,8 @@ void Renderer::Impl::setScene(const core::Scene& next, std::shared_ptr<const cor
     shading = std::move(table);
     drives = std::move(nextDrives);
     shadingStale = true;
+    userKernels.want(userFiles, std::any_of(scene.segments.begin(), scene.segments.end(),
+                                            [](const core::Segment& s) { return s.edit && s.edit->translucency; }));
     if (measured.use(files))
         for (SegmentState& state : segments) state.reshadeGroup = state.irradianceGroup = {};
 
@@ -276,9 +282,14 @@ void Renderer::Impl::upload() {
     if (!segments.empty()) {
         std::uint32_t brdfs = 0;
         for (const kernel::SegmentShading& entry : shading) brdfs |= 1u << entry.brdf.type;
-        reshade.useBrdfs(brdfs, !drives.empty());
+        const auto& user = userKernels.code();
+        const auto part = [&](auto member) {
+            using Code = const std::vector<std::uint32_t>;
+            return user ? std::shared_ptr<Code>(user, &(*user.*member)) : nullptr;
+        };
+        reshade.useBrdfs(brdfs, !drives.empty(), part(&UserKernels::Code::reshade));
         if (std::any_of(segments.begin(), segments.end(), [](const SegmentState& s) { return s.translucent(); }))
-            translucency.useBrdfs(brdfs, !drives.empty());
+            translucency.useBrdfs(brdfs, !drives.empty(), part(&UserKernels::Code::irradiance));
     }
     paths.measured = measured.buffer(device);
     prepareTargets();
@@ -593,9 +604,24 @@ void Renderer::Impl::recordDroppedReadback(const gpu::CommandEncoder& encoder) {
     });
 }
 
+/// Until the kernels of the edits are compiled, the picture stays, or is the photograph when there is none.
+void Renderer::Impl::waitForKernels(const gpu::CommandEncoder& encoder) {
+    if (targets.result && !layersStale) return;
+    std::vector<SegmentState> waiting = std::exchange(segments, {});
+    upload();
+    geometry.record(encoder);
+    encoder.copyTextureToTexture({.texture = geometry.photo()}, {.texture = targets.result},
+                                 {geometry.width(), geometry.height()});
+    segments = std::move(waiting);
+}
+
 bool Renderer::Impl::record(gpu::CommandEncoder& encoder, double budgetSeconds) {
     if (!analysis) return false;
     timer.collect();
+    if (!userKernels.ready(budgetSeconds)) {
+        waitForKernels(encoder);
+        return true;
+    }
     upload();
     bool worked = false;
     geometry.record(encoder);

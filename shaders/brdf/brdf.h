@@ -12,6 +12,7 @@
 #define PATINA_BRDF_H
 
 #include "shaders/brdf/registry.h"
+#include "shaders/brdf/user.h"
 
 KERNEL_BEGIN
 
@@ -30,7 +31,7 @@ KERNEL_FN vec3 brdf_eval(BrdfParams b, vec3 wo, vec3 wi) {
     switch (int(b.type)) {
         BRDF_DISPATCH_LIST(BRDF_CASE)
         default:
-            break;
+            BRDF_USER_CASE(user_eval(b, wo, wi))
     }
     return vec3(0.0f);
 }
@@ -44,7 +45,7 @@ KERNEL_FN float brdf_pdf(BrdfParams b, vec3 wo, vec3 wi) {
     switch (int(b.type)) {
         BRDF_DISPATCH_LIST(BRDF_CASE)
         default:
-            break;
+            BRDF_USER_CASE(user_pdf(b, wo, wi))
     }
     return 0.0f;
 }
@@ -58,7 +59,7 @@ KERNEL_FN vec3 brdf_sample(BrdfParams b, vec3 wo, vec2 u) {
     switch (int(b.type)) {
         BRDF_DISPATCH_LIST(BRDF_CASE)
         default:
-            break;
+            BRDF_USER_CASE(user_sample(b, wo, u))
     }
     return vec3(0.0f, 0.0f, -1.0f);
 }
@@ -72,7 +73,7 @@ KERNEL_FN vec3 brdf_weight(BrdfParams b, vec3 wo, vec3 wi) {
     switch (int(b.type)) {
         BRDF_DISPATCH_LIST(BRDF_CASE)
         default:
-            break;
+            BRDF_USER_CASE(user_weight(b, wo, wi))
     }
     return vec3(0.0f);
 }

@@ -21,6 +21,9 @@
 
 // BRDFs that a file defines (core/brdf_file.h) have an id, but no entry of their own in the list.
 #define BRDF_MEASURED 9
+// Those that the user wrote: this id and the following ones, one for each file in use (shaders/brdf/user.h).
+#define BRDF_USER 10
+#define BRDF_USER_COUNT 8
 
 #define BRDF_DISPATCH_LIST(X) BRDF_LIST(X) X(BRDF_MEASURED, measured)
 

@@ -16,7 +16,7 @@ struct BrdfParams {
     vec4 values2;   // 4 to 7
     vec4 values3;   // 8 to 11
     uint type;      // index in shaders/brdf/registry.h
-    uint file;      // measured: first number of the table in kernels
+    uint file;      // measured: first number of the table in kernels; user's: what tells one text from another
 #ifdef __cplusplus
     const float* measured;  // measured: the table (shaders/brdf/measured.h), for the reference renderer
 #else

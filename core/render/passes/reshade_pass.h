@@ -15,7 +15,9 @@ class ReshadePass {
     ReshadePass(const gpu::Device& device, const gpu::BindGroupLayout& geometryLayout);
 
     /// The BRDFs that paths may meet, bit = id, and whether there are drives; to be called before `record`.
-    void useBrdfs(std::uint32_t brdfs, bool driven) { pipeline_.use(brdfs, driven); }
+    void useBrdfs(std::uint32_t brdfs, bool driven, std::shared_ptr<const std::vector<std::uint32_t>> userCode) {
+        pipeline_.use(brdfs, driven, std::move(userCode));
+    }
     [[nodiscard]] gpu::BindGroup bind(const PathInputs& inputs, const PixelList& pixels, const Targets& targets) const;
     void record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const gpu::BindGroup& group,
                 const kernel::ReshadeBlock& block) const;

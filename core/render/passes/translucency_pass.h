@@ -29,7 +29,9 @@ class TranslucencyPass {
     TranslucencyPass(const gpu::Device& device, const gpu::BindGroupLayout& geometryLayout);
 
     /// The BRDFs that paths may meet, bit = id, and whether there are drives; to be called before light is recorded.
-    void useBrdfs(std::uint32_t brdfs, bool driven) { irradiance_.use(brdfs, driven); }
+    void useBrdfs(std::uint32_t brdfs, bool driven, std::shared_ptr<const std::vector<std::uint32_t>> userCode) {
+        irradiance_.use(brdfs, driven, std::move(userCode));
+    }
     [[nodiscard]] SurfacePoints upload(const core::SurfaceSamples& samples) const;
     [[nodiscard]] gpu::BindGroup bindIrradiance(const PathInputs& inputs, const SurfacePoints& points) const;
     [[nodiscard]] gpu::BindGroup bindGather(const gpu::Buffer& dipole, const PixelList& pixels,

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace core {
+
+/// A word or sign of a GLSL text, comments left out.
+struct GlslToken {
+    enum class Kind { Name, Number, Sign };
+    std::string text;
+    int line = 1;
+    Kind kind = Kind::Sign;
+    [[nodiscard]] bool is(std::string_view other) const { return text == other; }
+    [[nodiscard]] bool isName() const { return kind == Kind::Name; }
+};
+
+struct GlslText {
+    std::vector<GlslToken> tokens;
+    std::map<int, std::string> lineComments;  ///< what follows "//", by line
+};
+
+/// Throws Error(Input) "PATH:LINE: REASON".
+[[noreturn]] void refuseGlsl(const std::string& path, int line, const std::string& reason);
+
+/// How far a text may go, so that whatever reads it after this takes little time, memory and depth.
+inline constexpr std::size_t kMaxGlslTokens = 6000;
+inline constexpr std::size_t kMaxGlslNesting = 40;     ///< of brackets
+inline constexpr std::size_t kMaxGlslStatement = 600;  ///< tokens between two of ; { }
+inline constexpr std::size_t kMaxGlslName = 64;        ///< characters
+inline constexpr int kMaxGlslElses = 100;              ///< "else if" nests without brackets
+
+/// Splits a text into tokens. Throws Error(Input) naming path, line and reason for one that is not UTF-8, has lines of
+/// the preprocessor, signs that GLSL does not have, a comment without end, unbalanced brackets, or is too long.
+[[nodiscard]] GlslText tokenizeGlsl(const std::string& path, std::string_view text);
+
+}  // namespace core
