@@ -40,6 +40,15 @@ struct Edits {
     std::vector<std::pair<std::string, core::Vector3f>> reflectances;
 };
 
+/// What BRDFs by the user have to pass as long as this lives.
+class UserBrdfChecks {
+  public:
+    explicit UserBrdfChecks(core::UserBrdfCheck check) { core::setUserBrdfCheck(std::move(check)); }
+    ~UserBrdfChecks() { core::setUserBrdfCheck({}); }
+    UserBrdfChecks(const UserBrdfChecks&) = delete;
+    UserBrdfChecks& operator=(const UserBrdfChecks&) = delete;
+};
+
 /// Everything that can be wrong with the edits by themselves, before anything is loaded.
 Edits parseEdits(const Arguments& args) {
     Edits edits;
@@ -68,7 +77,7 @@ void render(const Arguments& args, bool samplesGiven, bool bouncesGiven, bool se
     const auto open = [&] {
         if (!device) device = openDevice(session);
     };
-    core::setUserBrdfCheck([&](const std::shared_ptr<const core::BrdfFile>& file) {
+    const UserBrdfChecks checks([&](const std::shared_ptr<const core::BrdfFile>& file) {
         open();
         render::requireSound(device, file);
     });

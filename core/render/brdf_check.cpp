@@ -275,8 +275,8 @@ class Judge {
         }
         const Eigen::Vector3d mean = sum / static_cast<double>(count);
         finding_.sampled = mean.cast<float>();
-        finding_.sampledError = std::sqrt((squares / static_cast<double>(count) - mean.cwiseProduct(mean)).maxCoeff() /
-                                          static_cast<double>(count));
+        const double variance = (squares / static_cast<double>(count) - mean.cwiseProduct(mean)).maxCoeff();
+        finding_.sampledError = std::sqrt(std::max(variance, 0.0) / static_cast<double>(count));
     }
 
     void compare() {

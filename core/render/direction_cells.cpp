@@ -38,10 +38,13 @@ void DirectionCells::split(std::span<Point> points, const kernel::vec4& box, int
                          [&](const Point& a, const Point& b) { return a.*member < b.*member; });
         return *middle.*member;
     };
-    // Across the direction in which the box is wide compared with what is in it.
-    const auto spread = [&](auto member) { return quantile(member, 0.75) - quantile(member, 0.25); };
-    Split cut{box.y - box.x > (box.w - box.z) / kTwoPi, 0};
-    if (points.size() >= 4) cut.onZ = (box.y - box.x) * spread(&Point::phi) >= (box.w - box.z) * spread(&Point::z);
+    // In turn, which follows lobes of any shape, or across the direction in which the box is wide compared with what is
+    // in it, which gets hold of narrow ones soon.
+    Split cut{level % 4 == 2, 0};
+    if (level % 2 == 1 && points.size() >= 4) {
+        const auto spread = [&](auto member) { return quantile(member, 0.75) - quantile(member, 0.25); };
+        cut.onZ = (box.y - box.x) * spread(&Point::phi) >= (box.w - box.z) * spread(&Point::z);
+    }
     const float low = cut.onZ ? box.x : box.z;
     const float high = cut.onZ ? box.y : box.w;
     cut.at = 0.5f * (low + high);

@@ -1,13 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/glsl_compiler.h"
 
+#include <glslang/MachineIndependent/localintermediate.h>
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 
 namespace render {
 
-CompiledGlsl compileGlsl(const std::string& text) {
+namespace {
+
+/// Looks for divisions of integers.
+class DivisionFinder : public glslang::TIntermTraverser {
+  public:
+    explicit DivisionFinder(int trustedString) : trustedString_(trustedString) {}
+
+    bool visitBinary(glslang::TVisit /*visit*/, glslang::TIntermBinary* node) override {
+        const glslang::TBasicType type = node->getType().getBasicType();
+        const glslang::TSourceLoc& loc = node->getLoc();
+        const bool divides = node->getOp() == glslang::EOpDiv || node->getOp() == glslang::EOpDivAssign;
+        if (divides && (type == glslang::EbtInt || type == glslang::EbtUint) && loc.string < trustedString_ &&
+            found_.empty())
+            found_ = "ERROR: " + std::to_string(loc.string) + ":" + std::to_string(loc.line) +
+                     ": '/' : integers cannot be divided here, floats can";
+        return true;
+    }
+    [[nodiscard]] const std::string& found() const { return found_; }
+
+  private:
+    int trustedString_;
+    std::string found_;
+};
+
+}  // namespace
+
+CompiledGlsl compileGlsl(const std::string& text, int trustedString) {
     static const bool initialized = glslang::InitializeProcess();
     CompiledGlsl result;
     if (!initialized) {
@@ -25,6 +52,10 @@ CompiledGlsl compileGlsl(const std::string& text) {
         result.log = shader.getInfoLog();
         return result;
     }
+    DivisionFinder divisions(trustedString);
+    shader.getIntermediate()->getTreeRoot()->traverse(&divisions);
+    result.log = divisions.found();
+    if (!result.log.empty()) return result;
     glslang::TProgram program;
     program.addShader(&shader);
     if (!program.link(kMessages)) {

@@ -12,7 +12,8 @@ struct CompiledGlsl {
     std::string log;                  ///< one message a line: "ERROR: STRING:LINE: REASON"
 };
 
-/// Compiles a preprocessed compute shader. Any thread, a few tenths of a second for the largest kernels.
-[[nodiscard]] CompiledGlsl compileGlsl(const std::string& text);
+/// Compiles a preprocessed compute shader. Integers must not be divided in strings (#line) below `trustedString`: some
+/// software drivers let the processor trap on −2³¹ / −1. Any thread, a few tenths of a second for the largest kernels.
+[[nodiscard]] CompiledGlsl compileGlsl(const std::string& text, int trustedString);
 
 }  // namespace render

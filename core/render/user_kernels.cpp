@@ -19,7 +19,7 @@ namespace render {
 
 namespace {
 
-/// Number of the string that a message refers to: the files are 0, 1, ...; the rest is the program's.
+/// Number of the string (#line) that a message refers to: the files are 0, 1, ...; the rest is the program's.
 constexpr int kOwnString = 99;
 
 const char* kernelText(UserKernel kernel) {
@@ -125,7 +125,8 @@ std::string cases(std::size_t files, const char* call) {
 }
 
 std::string kernelWith(UserKernel kernel, const UserFiles& files) {
-    std::string text = std::string(kernelText(kernel)) + lineDirective(kOwnString) + kHelpers;
+    std::string text = std::string(kernelText(kernel)) + kHelpers;
+    text.insert(text.find('\n'), lineDirective(kOwnString));  // behind #version
     std::string begin;
     for (std::size_t i = 0; i < files.size(); ++i) {
         const std::string number = std::to_string(i);
@@ -149,11 +150,11 @@ std::string kernelWith(UserKernel kernel, const UserFiles& files) {
     const std::size_t colon = message.find(':');
     const std::size_t second = colon == std::string::npos ? colon : message.find(':', colon + 1);
     if (second == std::string::npos) throw core::Error(core::ErrorKind::Input, files.at(0)->path + ": " + message);
+    while (message.ends_with(' ')) message.pop_back();
     const std::size_t string = std::strtoul(message.c_str(), nullptr, 10);
+    const bool own = string < files.size();
     throw core::Error(core::ErrorKind::Input,
-                      files.at(string < files.size() ? string : 0)->path +
-                          (string < files.size() ? message.substr(colon, second - colon) : std::string()) +
-                          message.substr(second) + ".");
+                      files.at(own ? string : 0)->path + message.substr(own ? colon : second) + ".");
 }
 
 }  // namespace
@@ -176,7 +177,7 @@ UserFiles placeUserBrdfs(const core::Scene& scene, std::span<kernel::SegmentShad
 }
 
 std::vector<std::uint32_t> compileUserKernel(UserKernel kernel, const UserFiles& files) {
-    CompiledGlsl compiled = compileGlsl(kernelWith(kernel, files));
+    CompiledGlsl compiled = compileGlsl(kernelWith(kernel, files), kOwnString);
     if (compiled.code.empty()) refuse(compiled.log, files);
     return std::move(compiled.code);
 }
