@@ -1369,8 +1369,8 @@
         <translation>Material aus einer Datei</translation>
     </message>
     <message>
-        <source>Measured BRDFs in MERL&apos;s format (*.binary);;All files (*)</source>
-        <translation>Gemessene BRDFs im MERL-Format (*.binary);;Alle Dateien (*)</translation>
+        <source>BRDFs: GLSL, or measured in MERL&apos;s format (*.brdf.glsl *.binary);;All files (*)</source>
+        <translation>BRDFs: GLSL oder im MERL-Format gemessen (*.brdf.glsl *.binary);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Reload %1</source>

@@ -23,6 +23,7 @@
 #include <algorithm>
 
 #include "core/analysis_notes.h"
+#include "core/render/brdf_check.h"
 #include "core/render/gpu_analysis_kernels.h"
 #include "gpu/error.h"
 #include "gpu/instance.h"
@@ -61,10 +62,12 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWin
     makeDocks();
     makeToolBar();
 
-    if (options_.canvas)
+    if (options_.canvas) {
+        core::setUserBrdfCheck(render::userBrdfCheck(options_.device.toStdString()));
         worker_.setKernels([wish = options_.device.toStdString()] {
             return render::createAnalysisKernels(render::analysisTwinFromEnvironment(), wish);
         });
+    }
     connect(&workspace_, &Workspace::sceneChanged, this, &MainWindow::sceneChanged);
     connect(&workspace_, &Workspace::documentReplaced, this, &MainWindow::documentReplaced);
     connect(&workspace_, &Workspace::selectionChanged, canvas_, &Canvas::setSelection);

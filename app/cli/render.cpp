@@ -146,6 +146,7 @@ void addRender(CLI::App& app, Session& session) {
                     "all\n") +
         "optional but \"brdf\":\n"
         "  \"brdf\"          one of those below, with its own parameters, or \"file:PATH\": a measured BRDF (MERL)\n"
+        "                  or one of your own (NAME.brdf.glsl)\n"
         "  \"albedo\"        [r, g, b], diffuse colour\n"
         "  \"specular\"      [r, g, b], or \"estimated\" (the default) from the photograph\n"
         "  \"fresnel\"       \"none\", \"schlick\", \"dielectric\", \"conductor\", with \"eta\" and \"k\"\n"

@@ -13,6 +13,8 @@
 #include "core/render/kernels.h"
 #include "core/render/measured_tables.h"
 #include "core/render/user_kernels.h"
+#include "gpu/error.h"
+#include "gpu/instance.h"
 #include "gpu/readback.h"
 #include "kernels/check_brdf.h"
 #include "shaders/brdf/measured.h"
@@ -34,7 +36,7 @@ constexpr double kPoints = kSide * kSide;
 constexpr double kTolerance = 0.02;        // of the density and of energy: what quadrature and float may miss
 constexpr double kMaxDeviation = 6;        // standard deviations
 constexpr double kDispatchSeconds = 0.1;   // aimed at
-constexpr double kMaxSeconds = 10;         // of all dispatches
+constexpr double kMaxSeconds = 5;          // of all dispatches
 constexpr std::uint32_t kFirstItems = 64;  // one workgroup: shows how long an item takes
 
 struct Case {
@@ -400,6 +402,17 @@ void requireSound(const gpu::Device& device, const std::shared_ptr<const core::B
         if (!finding.problem.empty())
             throw core::Error(core::ErrorKind::Input,
                               file->path + ":" + std::to_string(finding.line) + ": " + finding.problem);
+}
+
+core::UserBrdfCheck userBrdfCheck(const std::string& deviceWish) {
+    return [deviceWish](const std::shared_ptr<const core::BrdfFile>& file) {
+        try {
+            const gpu::Adapter adapter = gpu::Instance::create().requestAdapter({.device = deviceWish});
+            requireSound(adapter.requestDevice({.label = "BRDF check"}), file);
+        } catch (const gpu::Error& error) {
+            throw core::Error(core::ErrorKind::Input, file->path + ": It could not be tried: " + error.what());
+        }
+    };
 }
 
 }  // namespace render

@@ -36,4 +36,8 @@ struct BrdfFinding {
 /// Throws core::Error(Input) "PATH:LINE: REASON" for a BRDF by the user that does not pass.
 void requireSound(const gpu::Device& device, const std::shared_ptr<const core::BrdfFile>& file);
 
+/// For core::setUserBrdfCheck: the same on a device of its own, chosen as gpu::Instance::requestAdapter does, which
+/// lives as long as a check. A failing device is an Error(Input), too.
+[[nodiscard]] core::UserBrdfCheck userBrdfCheck(const std::string& deviceWish);
+
 }  // namespace render

@@ -231,6 +231,34 @@ class WorkTest(CliTest):
         self.assertIn("PCD", self.run_cli("info", self.path("c.patina")).stdout)
         self.assertIn("HEIC", self.run_cli("create", "--help").stdout)
 
+    def test_brdfs_keep_to_their_rules(self):
+        """Those of the list, an example of those by the user; and one that does not."""
+        velvet = os.path.join(os.path.dirname(SAMPLES.rstrip("/")), "brdf", "velvet.brdf.glsl")
+        names = ["ggx", "ward", velvet]
+        document = json.loads(self.run_cli("brdf", "check", "--json", *names).stdout)
+        self.assertEqual([entry["brdf"] for entry in document["brdfs"]], names)
+        for case in (case for entry in document["brdfs"] for case in entry["cases"]):
+            self.assertEqual(case["problem"], "")
+            self.assertLessEqual(case["chi_square_deviation"], 6)
+            self.assertLessEqual(case["density"], 1.01)
+            self.assertLessEqual(case["albedo"], 1.01)
+            self.assertLessEqual(case["asymmetry"], 1e-4)
+        self.fails(2, ["no BRDF \"granite\"", "lambert"], "brdf", "check", "granite")
+        self.assertIn("chi", self.run_cli("brdf", "check", "--help").stdout)
+        with open(velvet) as file:
+            text = file.read()
+        bad = self.path("bright.brdf.glsl")
+        with open(bad, "w") as file:
+            file.write(text.replace("return albedo * kInvPi", "return 2.0 * albedo * kInvPi"))
+        result = self.run_cli("brdf", "check", bad, code=3)
+        self.assertIn("FAILS", result.stdout)
+        self.assertRegex(result.stderr, r"bright\.brdf\.glsl:\d+: It reflects")
+        project = self.small_project()
+        self.fails(3, ["bright.brdf.glsl:", "It reflects", "1"], "render", project, "--edit",
+                   '1={"brdf": "file:%s"}' % bad, "-o", self.path("o.png"))
+        self.run_cli("render", project, "--edit", '1={"brdf": "file:%s", "sheen": 0.9}' % velvet, "--samples", "1",
+                     "-o", self.path("o.png"))
+
     def test_create_and_info(self):
         project = self.small_project()
         result = self.run_cli("info", project, "--json")

@@ -7,6 +7,7 @@
 
 #include "gpu/shader_module.h"
 #include "kernels/build_pyramid.h"
+#include "kernels/check_brdf.h"
 #include "kernels/composite.h"
 #include "kernels/depth_filter.h"
 #include "kernels/dipole_gather.h"
@@ -19,6 +20,7 @@
 #include "kernels/reshade.h"
 #include "kernels/silhouette.h"
 #include "shaders/shared/build_pyramid_block.h"
+#include "shaders/shared/check_brdf_block.h"
 #include "shaders/shared/composite_block.h"
 #include "shaders/shared/depth_filter_block.h"
 #include "shaders/shared/dipole.h"
@@ -56,6 +58,19 @@ void expectLayout(std::span<const std::uint32_t> code, const std::string& name, 
     { #member, offsetof(kernel::type, member) }
 
 TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
+    expectLayout(check_brdf_spv, "CheckBrdfBlock",
+                 {MEMBER(CheckBrdfBlock, mode), MEMBER(CheckBrdfBlock, first), MEMBER(CheckBrdfBlock, count),
+                  MEMBER(CheckBrdfBlock, perCase), MEMBER(CheckBrdfBlock, side), MEMBER(CheckBrdfBlock, pad0),
+                  MEMBER(CheckBrdfBlock, pad1), MEMBER(CheckBrdfBlock, pad2)},
+                 sizeof(kernel::CheckBrdfBlock));
+    expectLayout(check_brdf_spv, "CheckBrdfCase", {MEMBER(CheckBrdfCase, brdf), MEMBER(CheckBrdfCase, wo)},
+                 sizeof(kernel::CheckBrdfCase));
+    expectLayout(check_brdf_spv, "CheckBrdfSample", {MEMBER(CheckBrdfSample, wi), MEMBER(CheckBrdfSample, weight)},
+                 sizeof(kernel::CheckBrdfSample));
+    expectLayout(check_brdf_spv, "CheckBrdfSums",
+                 {MEMBER(CheckBrdfSums, value), MEMBER(CheckBrdfSums, square), MEMBER(CheckBrdfSums, fault),
+                  MEMBER(CheckBrdfSums, other)},
+                 sizeof(kernel::CheckBrdfSums));
     expectLayout(build_pyramid_spv, "BuildPyramidBlock",
                  {MEMBER(BuildPyramidBlock, level), MEMBER(BuildPyramidBlock, width), MEMBER(BuildPyramidBlock, height),
                   MEMBER(BuildPyramidBlock, offset), MEMBER(BuildPyramidBlock, sourceWidth),

@@ -107,7 +107,8 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : Panel(work
             return;
         }
         const QString path = QFileDialog::getOpenFileName(
-            this, tr("Material from a file"), {}, tr("Measured BRDFs in MERL's format (*.binary);;All files (*)"));
+            this, tr("Material from a file"), {},
+            tr("BRDFs: GLSL, or measured in MERL's format (*.brdf.glsl *.binary);;All files (*)"));
         if (!path.isEmpty()) loadBrdf(path);
         refresh();
     });
@@ -353,7 +354,7 @@ void MaterialPanel::rebuildParams(const core::Material& material) {
     for (ParamSlider* slider : params_) slider->deleteLater();
     params_.clear();
     const core::BrdfInfo* info = core::findBrdf(material);
-    if (info == nullptr) return;
+    if (info == nullptr || !core::usable(material)) return;
     for (std::size_t i = 0; i < info->params.size(); ++i) {
         const core::ParamInfo& param = info->params[i];
         const QString label = QCoreApplication::translate("params", param.label);
@@ -516,7 +517,7 @@ void MaterialPanel::refresh() {
     if (!edited) return;
 
     const core::Material& material = *segment->edit;
-    const core::BrdfInfo* info = core::findBrdf(material);
+    const core::BrdfInfo* info = core::usable(material) ? core::findBrdf(material) : nullptr;
     rebuildParams(material);
     for (std::size_t i = 0; i < params_.size(); ++i) params_[i]->setValue(static_cast<double>(material.values.at(i)));
     const bool specular = info != nullptr && info->usesSpecular;
