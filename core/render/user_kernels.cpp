@@ -119,7 +119,8 @@ std::string cases(std::size_t files, const char* call) {
     std::string result;
     for (std::size_t i = 0; i < files; ++i) {
         const std::string id = std::to_string(BRDF_USER + i);
-        result += "case " + id + ": if ((kBrdfSet & (1u << " + id + ")) != 0u) f = " + prefixOf(i) + call + "; break; ";
+        result.append("case ").append(id).append(": if ((kBrdfSet & (1u << ").append(id).append(")) != 0u) f = ");
+        result.append(prefixOf(i)).append(call).append("; break; ");
     }
     return result;
 }

@@ -15,12 +15,13 @@
 #include <QTreeWidget>
 #include <numbers>
 
-#include "core/brdf.h"
+#include "core/brdf_file.h"
 #include "core/io/image_io.h"
 #include "core/metals.h"
 #include "core/translucency.h"
 #include "tests/support/merl_file.h"
 #include "tests/support/temp_folder.h"
+#include "tests/support/user_brdf_text.h"
 #include "tests/ui/support.h"
 #include "ui/panels/back_side_panel.h"
 #include "ui/panels/environment_panel.h"
@@ -169,6 +170,44 @@ TEST_F(Panels, AMaterialComesFromAFileAndFollowsIt) {
     workspace_.document().undo();
     workspace_.document().undo();
     EXPECT_FALSE(segment(2).edit.has_value());
+}
+
+TEST_F(Panels, ABrdfByTheUserHasItsSlidersAndFollowsItsFile) {
+    const test::TempFolder folder;
+    const std::string path = folder / "gloss.brdf.glsl";
+    const std::string gloss = "uniform float gloss = 0.25;  // 0 to 1, \"How glossy\"\n";
+    test::writeBytes(path, gloss + test::kMattBrdf);
+    ui::MaterialPanel panel(workspace_);
+    open();
+    workspace_.select(2);
+    panel.loadBrdf(QString::fromStdString(path));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return segment(2).edit.has_value(); }, 5000));
+    auto* slider = test::child<ui::ParamSlider>(panel, "gloss");
+    EXPECT_NEAR(slider->value(), 0.25, 1e-6);
+    test::child<QSlider>(*slider, "glossSlider")->setValue(1000);
+    EXPECT_EQ(segment(2).edit->values[0], 1);
+
+    // Another parameter while it is in use; what stays keeps its value.
+    test::writeBytes(path, "uniform float depth = 3.0;  // 1 to 9\n" + gloss + test::kMattBrdf);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return segment(2).edit->values[1] == 1; }, 5000));
+    EXPECT_EQ(segment(2).edit->values[0], 3);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_NEAR(test::child<ui::ParamSlider>(panel, "depth")->value(), 3, 1e-6);
+    EXPECT_NEAR(test::child<ui::ParamSlider>(panel, "gloss")->value(), 1, 1e-6);
+
+    // Refused by the reader, then by the check.
+    const auto usable = segment(2).edit->brdfFile;
+    auto* label = test::child<QLabel>(panel, "materialFile");
+    test::writeBytes(path, test::evaluating("for (;;"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return label->text().contains("gloss.brdf.glsl:2: "); }, 5000));
+    EXPECT_EQ(segment(2).edit->brdfFile, usable);
+    core::setUserBrdfCheck([](const std::shared_ptr<const core::BrdfFile>& file) {
+        throw core::Error(core::ErrorKind::Input, file->path + ":77: It glows.");
+    });
+    test::writeBytes(path, test::kMattBrdf);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return label->text().contains(":77: It glows."); }, 5000));
+    core::setUserBrdfCheck({});
+    EXPECT_EQ(segment(2).edit->brdfFile, usable);
 }
 
 TEST_F(Panels, AMetalSetsIndexAndExtinction) {
