@@ -9,14 +9,18 @@
 namespace core {
 namespace {
 
-/// Largest slope that two one-sided differences support: the larger of the two, but not far more than the smaller,
-/// which is the one that does not cross a discontinuity. `floor` is a slope that is always allowed.
-float slopeLimit(std::optional<float> left, std::optional<float> right, float floor) {
-    if (!left && !right) return floor;
-    if (!left || !right) return 1.5f * std::abs(left ? *left : *right) + floor;
-    const float a = std::abs(*left);
-    const float b = std::abs(*right);
-    return std::min(std::max(a, b), 3 * std::min(a, b)) + floor;
+/// A slope as far as the differences to the neighbours on either side bear it out. A patch that rises above the middle
+/// of its neighbour stands over it like a saw's tooth, and rays that start beside it are caught. Van Leer's limiter:
+/// none at a ridge or in a valley, else up to twice the smaller difference, which is also the one that crosses no
+/// discontinuity. `floor`: what is allowed where no neighbour says anything.
+float limitedSlope(float slope, std::optional<float> left, std::optional<float> right, float floor) {
+    if (left && right) {
+        if (*left * *right <= 0) return 0;
+        const float largest = 2 * std::min(std::abs(*left), std::abs(*right));
+        return *left > 0 ? std::clamp(slope, 0.0f, largest) : std::clamp(slope, -largest, 0.0f);
+    }
+    const float largest = floor + (left || right ? 1.5f * std::abs(left ? *left : *right) : 0.0f);
+    return std::clamp(slope, -largest, largest);
 }
 
 struct LayerBuilder {
@@ -40,10 +44,8 @@ struct LayerBuilder {
             result.gu = n.x() / (camera.fx * c);
             result.gv = n.y() / (camera.fy * c);
         }
-        const float limitU = slopeLimit(difference(x - 1, y, -1), difference(x + 1, y, 1), w / camera.fx);
-        const float limitV = slopeLimit(difference(x, y - 1, -1), difference(x, y + 1, 1), w / camera.fy);
-        result.gu = std::clamp(result.gu, -limitU, limitU);
-        result.gv = std::clamp(result.gv, -limitV, limitV);
+        result.gu = limitedSlope(result.gu, difference(x - 1, y, -1), difference(x + 1, y, 1), w / camera.fx);
+        result.gv = limitedSlope(result.gv, difference(x, y - 1, -1), difference(x, y + 1, 1), w / camera.fy);
         keepPositive(result);
         return result;
     }

@@ -22,6 +22,8 @@ constexpr float kLeastJump = 8;         ///< [pixel widths per pixel of the reac
 constexpr float kFlyingShare = 0.25f;   ///< of that jump: an outline pixel farther back than this may be flying
 constexpr float kRemovedShare = 0.12f;  ///< of that jump: what is farther back near a flying one goes with it
 constexpr float kCleanShare = 0.4f;     ///< of that jump: this much at the outline itself is a clean edge
+constexpr float kGapSlope = 3;          ///< [pixel widths per pixel] of relief that may lie in a gap
+constexpr float kStripPart = 0.3f;      ///< of the outline near by that is a strip where one is; its ends have half
 
 /// The two surfaces about one pixel of an outline.
 struct Surfaces {
@@ -92,6 +94,33 @@ class Outlines {
         return fall > kFlyingShare && fall > 0.5f * jump ? Edge::Flying : Edge::Clean;
     }
 
+    /// Whether depth goes on across the outline and comes back to the segment farther in.
+    [[nodiscard]] bool hasStrip(int x, int y) const {
+        return std::ranges::any_of(kNeighbors, [&](Pixel inwards) { return stripWidth(x, y, inwards) > 0; });
+    }
+
+    /// Number of pixels from the outline inwards whose depth is that of what lies beyond the outline; 0: none. The jump
+    /// to the segment's own depth is steeper than relief, over the gap that sensors leave beside it too.
+    [[nodiscard]] int stripWidth(int x, int y, Pixel inwards) const {
+        const int ox = x - inwards.x;
+        const int oy = y - inwards.y;
+        if (!depth_.contains(ox, oy) || labels_(ox, oy) == labels_(x, y) || depth_(ox, oy) <= 0) return 0;
+        int last = 0;
+        for (int k = 1; k <= reach_; ++k) {
+            const int u = x + k * inwards.x;
+            const int v = y + k * inwards.y;
+            if (!depth_.contains(u, v) || labels_(u, v) != labels_(x, y)) return 0;
+            if (depth_(u, v) <= 0) continue;
+            const float z = depth_(x + last * inwards.x, y + last * inwards.y);
+            const float jump = z - depth_(u, v);
+            const auto gap = static_cast<float>(k - last - 1);
+            if (jump > (kLeastJump + kGapSlope * gap) * footprint_ * z)
+                return std::abs(depth_(ox, oy) - depth_(x, y)) < kFlyingShare * jump ? last + 1 : 0;
+            last = k;
+        }
+        return 0;
+    }
+
   private:
     template <std::size_t N>
     static float quantile(std::array<float, N>& values, std::size_t count, double q) {
@@ -110,16 +139,21 @@ class Outlines {
 
 void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& camera, const StepContext& context) {
     const std::vector<bool> supports = findSupports(labels);
-    const Outlines outlines(depth, labels, camera);
+    const ImageF measured = depth;
+    const Outlines outlines(measured, labels, camera);
     const int reach = outlines.reach();
     Image<Edge> edges(depth.width(), depth.height(), Edge::None);
+    Image<std::uint8_t> strips(depth.width(), depth.height(), 0);
     Image<Surfaces> surfaces(depth.width(), depth.height());
     parallelFor(
         context, kName, depth.height(),
         [&](int y) {
-            for (int x = 0; x < depth.width(); ++x)
-                if (labels(x, y) != 0 && !supports[labels(x, y)] && depth(x, y) > 0 && outlines.isOutline(x, y))
-                    edges(x, y) = outlines.classify(x, y, surfaces(x, y));
+            for (int x = 0; x < depth.width(); ++x) {
+                if (labels(x, y) == 0 || supports[labels(x, y)] || measured(x, y) <= 0 || !outlines.isOutline(x, y))
+                    continue;
+                edges(x, y) = outlines.classify(x, y, surfaces(x, y));
+                strips(x, y) = outlines.hasStrip(x, y) ? 1 : 0;
+            }
         },
         0.0f, 0.0f);
 
@@ -131,24 +165,30 @@ void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& c
                 if (dx * dx + dy * dy <= radius * radius && labels(x, y) == labels(center.x, center.y)) visitor(x, y);
             }
     };
-    // A ramp runs along the outline; the noise of a sensor makes some pixels of a clean one look alike.
-    const auto onRamp = [&](Pixel pixel) {
-        int blurred = 0, count = 0;
+    // Ramps and strips run along the outline; the noise of a sensor makes some pixels of a clean one look alike.
+    const auto runsAlong = [&](Pixel pixel, float part, const auto& isAlike) {
+        int alike = 0, count = 0;
         visit(pixel, reach, [&](int x, int y) {
-            if (edges(x, y) != Edge::None) ++count;
-            if (edges(x, y) == Edge::Blurred) ++blurred;
+            if (edges(x, y) == Edge::None) return;
+            ++count;
+            if (isAlike(x, y)) ++alike;
         });
-        return static_cast<float>(blurred) > kRampPart * static_cast<float>(count);
+        return static_cast<float>(alike) > part * static_cast<float>(count);
     };
+    const auto isBlurred = [&](int x, int y) { return edges(x, y) == Edge::Blurred; };
+    const auto isStrip = [&](int x, int y) { return strips(x, y) != 0; };
     const int foot = 1 + reach / kFootParts;
-    const ImageF measured = depth;
     Image<std::uint8_t> ramp(depth.width(), depth.height(), 0);
     for (int y = 0; y < depth.height(); ++y) {
         context.checkpoint(kName, 0);
         for (int x = 0; x < depth.width(); ++x) {
+            if (isStrip(x, y) && runsAlong({x, y}, kStripPart, isStrip))
+                for (const Pixel& inwards : kNeighbors)
+                    for (int k = outlines.stripWidth(x, y, inwards) - 1; k >= 0; --k)
+                        depth(x + k * inwards.x, y + k * inwards.y) = 0;
             if (edges(x, y) != Edge::Flying && edges(x, y) != Edge::Blurred) continue;
             depth(x, y) = 0;
-            if (edges(x, y) == Edge::Flying || !onRamp({x, y})) continue;
+            if (edges(x, y) == Edge::Flying || !runsAlong({x, y}, kRampPart, isBlurred)) continue;
             visit({x, y}, reach, [&, &between = surfaces(x, y)](int u, int v) {
                 if (between.share(measured(u, v)) > kRemovedShare) ramp(u, v) = 1;
             });

@@ -119,4 +119,56 @@ TEST(FlyingPixels, AGenerousOutlineTakesNoBackgroundIn) {
     }
 }
 
+/// A book of 3 cm on a floor seen from above, and the floor by itself.
+test::RayScene bookOnAFloor(bool book) {
+    test::RayScene scene;
+    scene.camera = test::testCamera(640, 480);
+    const Eigen::Matrix3d tilt = test::rotation(0.8, {1, 0, 0});
+    const test::Vector3d top(0, 0, 0.6);
+    scene.objects.push_back(
+        {1, std::make_shared<test::Box>(top + 0.05 * tilt.col(1), test::Vector3d(3, 0.05, 3), tilt), {}, false});
+    if (book)
+        scene.objects.push_back(
+            {2,
+             std::make_shared<test::Box>(top - 0.015 * tilt.col(1), test::Vector3d(0.1, 0.015, 0.06), tilt),
+             {},
+             false});
+    return scene;
+}
+
+TEST(FlyingPixels, AStripOfTheFloorBehindIsRemoved) {
+    const core::Photo photo = bookOnAFloor(true).photograph();
+    const ImageF floor = bookOnAFloor(false).photograph().depth;
+    // What a stereo camera gives: the floor goes on for three pixels inside the outline, and six have no depth, where
+    // the floor is well behind.
+    ImageF measured = photo.depth;
+    int strip = 0;
+    for (int y = 0; y < measured.height(); ++y) {
+        for (int x = 0; x < measured.width(); ++x) {
+            if (photo.labels(x, y) < 2) continue;
+            for (int k = 1; k <= 9; ++k) {
+                if (!photo.labels.contains(x, y - k) || photo.labels(x, y - k) == photo.labels(x, y)) continue;
+                if (photo.labels(x, y - k) != 1 || floor(x, y) - photo.depth(x, y) < 0.03f) break;
+                measured(x, y) = k <= 3 ? floor(x, y) : 0;
+                strip += k <= 3 ? 1 : 0;
+                break;
+            }
+        }
+    }
+    ASSERT_GT(strip, 100);
+    ImageF depth = measured;
+    core::steps::removeFlyingPixels(depth, photo.labels, photo.camera, {});
+    int left = 0, lost = 0;
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        if (photo.labels[i] < 2 || measured[i] <= 0) continue;
+        if (measured[i] == photo.depth[i])
+            lost += depth[i] > 0 ? 0 : 1;
+        else
+            left += depth[i] > 0 ? 1 : 0;
+    }
+    std::printf("strip of %d pixels: %d left, %d others removed\n", strip, left, lost);
+    EXPECT_LT(left, strip / 20);
+    EXPECT_EQ(lost, 0);
+}
+
 }  // namespace

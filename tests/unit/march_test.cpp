@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <cstdio>
+#include <numbers>
 
 #include "core/depth_layers.h"
 #include "core/march.h"
@@ -278,6 +281,50 @@ TEST(DepthLayers, AWrongNormalRaisesNoSpike) {
             }
         }
     }
+}
+
+TEST(DepthLayers, JaggedDepthOfASteepPlaneDoesNotShadeItself) {
+    test::RayScene scene;
+    scene.camera = test::testCamera(64, 48);
+    scene.objects.push_back(
+        {1,
+         std::make_shared<test::Box>(Vector3d(0, 0, 0.6), Vector3d(9, 9, 0.1), test::rotation(1.1, {1, 0.1, 0})),
+         {}});
+    core::Surface front = scene.frontSurface();
+    // Rows are off by most of the plane's own step; its normal is known all the same, as a fit over them gives
+    // it.
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> error(-0.8f, 0.8f);
+    for (int y = 0; y < 48; ++y) {
+        const float part = error(random);
+        for (int x = 0; x < 64; ++x) {
+            if (front.depth(x, y) <= 0) continue;
+            const Vector3f& n = front.normal(x, y);
+            const float step = front.depth(x, y) / scene.camera.fy * n.y() / n.z();
+            front.depth(x, y) += part * step;
+            front.position(x, y) = scene.camera.backProject(x, y, front.depth(x, y));
+        }
+    }
+    const core::LabelImage labels = scene.photograph().labels;
+    const DepthLayers layers = core::buildDepthLayers(scene.camera, labels, front, scene.backSurface());
+    int dark = 0, count = 0;
+    for (int y = 2; y < 46; ++y) {
+        for (int x = 2; x < 62; ++x) {
+            const Vector3f& n = front.normal(x, y);
+            const Vector3f origin = front.position(x, y) + core::marchBias(scene.camera, front.depth(x, y)) * n;
+            int blocked = 0;
+            for (int k = 0; k < 16; ++k) {
+                const float angle = static_cast<float>(k) * std::numbers::pi_v<float> / 8;
+                const Vector3f across = n.unitOrthogonal();
+                const Vector3f side = std::cos(angle) * across + std::sin(angle) * n.cross(across);
+                if (core::march(layers, origin, (n + side).normalized())) ++blocked;
+            }
+            ++count;
+            if (blocked > 8) ++dark;
+        }
+    }
+    std::printf("jagged steep plane: %d of %d pixels shaded by their neighbours\n", dark, count);
+    EXPECT_LT(dark, count / 100);
 }
 
 TEST(MarchPyramid, HitsWhatTheMarchThroughEveryPixelHits) {
