@@ -51,7 +51,7 @@ void describe(BrdfFile& file, const UserBrdf& user) {
     file.info.params = user.params;
     file.info.usesAlbedo = user.usesAlbedo;
     file.info.usesSpecular = user.usesSpecular;
-    file.info.defaultFresnel = user.defaultFresnel;
+    file.info.defaultFresnel = user.usesFresnel ? Fresnel::Schlick : Fresnel::None;
 }
 
 UserBrdfCheck& userBrdfCheck() {

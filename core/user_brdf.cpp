@@ -368,7 +368,7 @@ class Reader {
             brdf_.code += before_[i] + (t.isName() && !member ? renamed(t.text) : t.text) + " " + after_[i];
             if (t.is("fresnel") && !member) {
                 if (!brdf_.usesSpecular) refuse(t.line, "fresnel(cosine) needs uniform vec3 specular;");
-                brdf_.defaultFresnel = Fresnel::Schlick;
+                brdf_.usesFresnel = true;
             }
         }
         brdf_.code += '\n';

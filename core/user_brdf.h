@@ -25,7 +25,7 @@ struct UserBrdf {
     std::vector<ParamInfo> params;
     bool usesAlbedo = false;
     bool usesSpecular = false;
-    Fresnel defaultFresnel = Fresnel::None;
+    bool usesFresnel = false;                           ///< calls fresnel(): the edit's Fresnel mode counts
     int evaluateLine = 1, pdfLine = 1, sampleLine = 1;  ///< of the three functions
     std::deque<std::string> texts;                      ///< what `params` points into
 
@@ -39,8 +39,9 @@ inline constexpr std::string_view kUserBrdfPrefix = "user@n";
 
 inline constexpr std::string_view kUserBrdfExtension = ".brdf.glsl";
 inline constexpr std::size_t kMaxUserBrdfBytes = 64 << 10;
-/// Tokens of a function once what it calls stands in its place, which is what drivers make of it.
-inline constexpr std::size_t kMaxUserBrdfExpanded = 8000;
+/// Tokens of a function once what it calls stands in its place, which is what drivers make of it: a software device
+/// compiles three such functions in about ten seconds.
+inline constexpr std::size_t kMaxUserBrdfExpanded = 2500;
 inline constexpr int kMaxUserBrdfElements = 64;     ///< of an array
 inline constexpr int kMaxUserBrdfElementSum = 256;  ///< of all numbers in brackets
 

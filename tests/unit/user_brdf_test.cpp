@@ -145,7 +145,7 @@ TEST(UserBrdf, ThatWouldNotEndOrGrowIsRefused) {
         const std::string call = "f" + std::to_string(i - 1) + "(x)";
         bomb += "float f" + std::to_string(i) + "(float x) { return " + call + "+" + call + "+" + call + "; }\n";
     }
-    refused(bomb + kMattBrdf, 7, "is too long with all that it calls");
+    refused(bomb + kMattBrdf, 6, "is too long with all that it calls");
     refused(evaluating("float a[65]; return albedo;"), 2, "expected at most 64");
     refused(evaluating("float a[99999999999999999999]; return albedo;"), 2, "expected at most 64");
     refused(evaluating("float a[077]; return albedo;"), 2, "or no number");

@@ -531,13 +531,15 @@ void MaterialPanel::refresh() {
     specular_->setColor(material.specular
                             ? *material.specular
                             : segment->reflectance.value_or(found != nullptr ? found->rho : core::Vector3f(1, 1, 1)));
-    fresnelRow_->setVisible(specular);
+    const auto* user = specular && material.brdfFile ? material.brdfFile->user.get() : nullptr;
+    const bool fresnel = specular && (user == nullptr || user->usesFresnel);
+    fresnelRow_->setVisible(fresnel);
     const QSignalBlocker blockFresnel(fresnel_);
     fresnel_->setCurrentIndex(fresnel_->findData(static_cast<int>(material.fresnel)));
-    eta_->setVisible(specular &&
+    eta_->setVisible(fresnel &&
                      (material.fresnel == core::Fresnel::Dielectric || material.fresnel == core::Fresnel::Conductor));
-    k_->setVisible(specular && material.fresnel == core::Fresnel::Conductor);
-    metalRow_->setVisible(specular && material.fresnel == core::Fresnel::Conductor);
+    k_->setVisible(fresnel && material.fresnel == core::Fresnel::Conductor);
+    metalRow_->setVisible(fresnel && material.fresnel == core::Fresnel::Conductor);
     const core::Metal* metal = core::metalOf(material);
     const QSignalBlocker blockMetal(metal_);
     metal_->setCurrentIndex(metal == nullptr ? 0 : metal_->findData(QString::fromUtf8(metal->key)));
