@@ -103,8 +103,8 @@ ReferenceRenderer::ReferenceRenderer(const Scene& scene, std::shared_ptr<const A
       driveValues_(drives_.values()) {
     for (const Segment& segment : scene_.segments)
         if (segment.edit && segment.edit->brdfFile && segment.edit->brdfFile->user)
-            throw Error(ErrorKind::Usage, "\"" + segment.edit->brdfFile->path +
-                                              "\" is GLSL, which only a graphics device can run.");
+            throw Error(ErrorKind::Usage,
+                        "\"" + segment.edit->brdfFile->path + "\" is GLSL, which only a graphics device can run.");
     if (lightSampling == LightSampling::Both && analysis_->environment)
         sampler_ = EnvironmentSampler(*analysis_->environment);
 }

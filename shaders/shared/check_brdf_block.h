@@ -37,7 +37,7 @@ KERNEL_BLOCK(CheckBrdfCase, 144)
 /// The first samples of a case have random numbers at the ends of their range.
 const uint kCheckBrdfCorners = 16u;
 
-const uint kCheckLoops = 1u;      // the values of shaders/brdf/user.h
+const uint kCheckLoops = 1u;  // the values of shaders/brdf/user.h
 const uint kCheckDirection = 2u;
 const uint kCheckPdf = 4u;        // negative, infinite or not a number
 const uint kCheckValue = 8u;      // infinite or not a number
