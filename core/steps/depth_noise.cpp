@@ -124,8 +124,19 @@ bool hasStairs(const ImageF& w, int step, bool enlarged, const NoiseCurve& quant
             }
         }
     }
+    if (bends.empty()) return false;
     // Splines that enlarge a map bend by a sixth of a step where it begins.
-    return !bends.empty() && quantile(bends, 0.5) > (enlarged ? 0.1f : 0.2f);
+    if (quantile(bends, 0.5) > (enlarged ? 0.1f : 0.2f)) return true;
+    // Where depth is steep most steps follow each other evenly; the others are off by whole ones.
+    constexpr float kStraight = 0.05f;
+    constexpr float kMost = 4.5f;
+    std::size_t bent = 0, whole = 0;
+    for (const float bend : bends) {
+        if (bend < kStraight || bend > kMost) continue;
+        ++bent;
+        if (bend > 0.5f && std::abs(bend - std::round(bend)) < 0.15f) ++whole;
+    }
+    return !enlarged && bent * 10 > bends.size() && whole * 10 > bent * 7;
 }
 
 /// Distance between neighbouring stored values over inverse depth. In an enlarged map these are the values that occur

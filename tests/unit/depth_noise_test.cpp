@@ -163,6 +163,34 @@ TEST(DepthNoise, TerracesOfAnEnlargedMapAreSmoothed) {
     }
 }
 
+/// Depth in 8 bits of disparity over its own range, as telephones store it.
+ImageF inEightBits(ImageF depth) {
+    float low = 1e9f, high = 0;
+    for (const float z : depth.pixels())
+        if (z > 0) low = std::min(low, 1 / z), high = std::max(high, 1 / z);
+    const float step = (high - low) / 255;
+    for (float& z : depth.pixels())
+        if (z > 0) z = 1 / (low + step * std::round((1 / z - low) / step));
+    return depth;
+}
+
+TEST(DepthNoise, RoundingIsFoundWhereDepthIsSteepToo) {
+    // A floor that falls by four steps of rounding and a bit from row to row, and exactly so.
+    constexpr float kStep = 0.001f;
+    ImageF rounded(480, 360), exact(480, 360);
+    for (int y = 0; y < 360; ++y) {
+        for (int x = 0; x < 480; ++x) {
+            rounded(x, y) = 1 + kStep * std::round(4.1f * static_cast<float>(y) + 0.13f * static_cast<float>(x));
+            exact(x, y) = 1 + kStep * 4.1f * static_cast<float>(y);
+        }
+    }
+    const core::LabelImage labels(480, 360);
+    const auto noise = core::steps::estimateDepthNoise(rounded, labels, 1, {});
+    EXPECT_TRUE(noise.quantised);
+    EXPECT_NEAR(noise.deviation.at(1.7f), kStep / std::sqrt(12.0f), 0.1f * kStep);
+    EXPECT_EQ(core::steps::estimateDepthNoise(exact, labels, 1, {}).relative, 0);
+}
+
 TEST(DepthNoise, AreasOfANoisySquareAddUp) {
     test::RayScene scene;
     scene.camera = test::testCamera(480, 360);
@@ -219,6 +247,7 @@ TEST_P(DepthReferenceData, FilterHelps) {
     EXPECT_LT(check("sensor noise", test::withSensorNoise(exact)), 5);
     const int width = exact.width();
     const int height = exact.height();
+    (void)check("8 bits of disparity", inEightBits(exact));
     (void)check("correlated noise", withInverseNoise(exact, correlatedNoise(width, height, 2.5f), 0.0012f));
 }
 
