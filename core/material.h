@@ -15,9 +15,14 @@ namespace core {
 /// Conductor from `eta` (and `k`), scaled by `specular`. The values are those of shaders/brdf/fresnel.h.
 enum class Fresnel { None = 0, Schlick = 1, Dielectric = 2, Conductor = 3 };
 
+/// How light spreads below a surface: the dipole of [JMLH01], or the better one of [dEon12], whose exitance counts
+/// fluence too and whose diffusion holds for absorbing media.
+enum class ScatteringModel : std::uint8_t { Dipole, BetterDipole };
+
 /// Multiple scattering below the surface, dipole diffusion (DESIGN 3.6, [JMLH01]). Coefficients in 1/mm as published;
-/// converted to 1/m once, in `dipoleFromTranslucency`.
+/// converted to 1/m once, in `profileFromTranslucency`.
 struct Translucency {
+    ScatteringModel model = ScatteringModel::Dipole;
     std::string preset;                          ///< name it was filled from, "" when given by hand
     Vector3f sigmaA{0.0021f, 0.0041f, 0.0071f};  ///< absorption [1/mm]; default: marble
     Vector3f sigmaSPrime{2.19f, 2.62f, 3.00f};   ///< reduced scattering [1/mm]

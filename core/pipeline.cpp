@@ -87,7 +87,7 @@ Stage firstChangedStage(const Scene& before, const Scene& after) {
     const RenderParams& a = before.render;
     const RenderParams& b = after.render;
     touch(a.seed != b.seed || a.bounces != b.bounces || a.surfaceSamples != b.surfaceSamples ||
-              a.irradianceSamples != b.irradianceSamples,
+              a.irradianceSamples != b.irradianceSamples || a.diffusionQuality != b.diffusionQuality,
           Stage::Irradiance);
     touch(a.samples != b.samples, Stage::Reshade);
     touch(a.filter != b.filter, Stage::Composite);

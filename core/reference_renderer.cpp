@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/brdf_file.h"
+#include "core/diffusion_profile.h"
 #include "core/image_filter.h"
 #include "core/luminance.h"
 #include "core/parallel.h"
@@ -50,7 +51,7 @@ kernel::SegmentShading shadingOf(const Segment& segment, const Analysis& analysi
 
 Vector3f translucentAlbedo(const Translucency& translucency) {
     // Light crosses the boundary twice; its mean transmission is η²(1 − F_dr) by reciprocity.
-    const double eta = static_cast<double>(dipoleFromTranslucency(translucency).alphaPrime.w);
+    const auto eta = static_cast<double>(profileFromTranslucency(translucency).eta);
     const auto transmission = static_cast<float>(eta * eta * (1 - internalDiffuseFresnel(eta)));
     return diffuseReflectance(translucency) * (transmission * transmission);
 }
@@ -273,23 +274,24 @@ std::vector<Vector3f> ReferenceRenderer::irradiance(const SurfaceSamples& sample
 }
 
 ImageRgb ReferenceRenderer::translucentRadiosity(const SurfaceSamples& samples, const std::vector<Vector3f>& irradiance,
-                                                 std::uint16_t label, const kernel::DipoleParams& dipole,
+                                                 std::uint16_t label, const DiffusionProfile& profile,
                                                  const StepContext& context) const {
     CORE_ASSERT(samples.samples.size() == irradiance.size(), "one irradiance per surface sample");
     const Surface& front = *analysis_->front;
     ImageRgb result(layers_->camera.width, layers_->camera.height, Vector3f::Zero());
     if (samples.samples.empty()) return result;
-    const double factor = samples.area / static_cast<double>(samples.samples.size()) / M_PI;
+    const std::vector<float> areas = sampleAreas(samples, samples.samples.size());
     parallelFor(context, "Scattering light", result.height(), [&](int y) {
         for (int x = 0; x < result.width(); ++x) {
             if (layers_->labels(x, y) != label || !(front.depth(x, y) > 0)) continue;
             const Vector3f p = front.position(x, y);
             Eigen::Vector3d sum = Eigen::Vector3d::Zero();
             for (std::size_t i = 0; i < irradiance.size(); ++i) {
-                const kernel::vec3 rd = kernel::dipole_rd(dipole, (p - samples.samples[i].position).squaredNorm());
-                sum += fromKernel(rd).cwiseProduct(irradiance[i]).cast<double>();
+                const double r2 = (p - samples.samples[i].position).cast<double>().squaredNorm();
+                for (int c = 0; c < 3; ++c)
+                    sum[c] += profile.evaluate(c, r2) * static_cast<double>(irradiance[i][c] * areas[i]);
             }
-            result(x, y) = (sum * factor).cast<float>();
+            result(x, y) = (sum / M_PI).cast<float>();
         }
     });
     return result;
@@ -300,19 +302,18 @@ ImageRgb ReferenceRenderer::translucency(const StepContext& context) const {
     ImageRgb result(layers_->camera.width, layers_->camera.height, Vector3f::Zero());
     for (const Segment& segment : scene_.segments) {
         if (!segment.edit || !usable(*segment.edit) || !segment.edit->translucency) continue;
-        const kernel::DipoleParams dipole = dipoleFromTranslucency(*segment.edit->translucency);
+        const DiffusionProfile profile = profileFromTranslucency(*segment.edit->translucency);
         const SurfaceSamples samples =
             sampleSurface(*analysis_, layers_->labels, segment.label, scene_.render.surfaceSamples, scene_.render.seed);
         const std::vector<Vector3f> light =
-            irradiance(samples, segment.label, dipole.alphaPrime.w, scene_.render.irradianceSamples, context);
+            irradiance(samples, segment.label, profile.eta, scene_.render.irradianceSamples, context);
         const ImageRgb radiosity =
-            translucentRadiosity(samples, light, segment.label, smoothedFor(samples, dipole), context);
+            translucentRadiosity(samples, light, segment.label, blurred(profile, samples.areaPerSample()), context);
         for (std::size_t i = 0; i < result.size(); ++i) {
             if (layers_->labels[i] != segment.label || !(front.depth[i] > 0)) continue;
             const kernel::vec3 wo = kernel::normalize(-toKernel(front.position[i]));
             const kernel::vec3 n = kernel::shading_normal(toKernel(front.normal[i]), wo);
-            result[i] =
-                radiosity[i] * kernel::fresnel_transmission(dipole.alphaPrime.w, std::max(kernel::dot(n, wo), 0.0f));
+            result[i] = radiosity[i] * kernel::fresnel_transmission(profile.eta, std::max(kernel::dot(n, wo), 0.0f));
         }
     }
     return result;

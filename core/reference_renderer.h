@@ -8,6 +8,7 @@
 
 #include "core/analysis.h"
 #include "core/depth_layers.h"
+#include "core/diffusion_profile.h"
 #include "core/drives.h"
 #include "core/environment_sampler.h"
 #include "core/scene.h"
@@ -48,8 +49,9 @@ namespace core {
 // Irradiance of surface sample i of label l: pixel id = i, seed = rng_stream(seed, 2l+1), ray j is s = j; the same
 // loop with the role kPathEnter at b = 0: cosine-weighted directions, weight F_t(wi.z). Ê = (π/N_rays) Σ radiance.
 //
-// Translucent radiance before the outgoing Fresnel factor: B(p) = (1/π)(Ã/|S|) Σ_i Ê_i R_d(|p − s_i|²) with dipole_rd
-// of the dipole smoothedFor(samples); L_t = F_t(max(n·wo, 0)) · B with n = shading_normal(n, wo).
+// Translucent radiance before the outgoing Fresnel factor: B(p) = (1/π) Σ_i A_i Ê_i R_d(|p − s_i|²) with A_i of
+// sampleAreas (Ã/|S| on average) and the profile blurred to Ã/|S| (kernels sum by grids, core/diffusion_grid.h); L_t =
+// F_t(max(n·wo, 0)) · B with n = shading_normal(n, wo).
 //
 // Composite, edited segments only, driven weights of the pixel: blendNew · (reshaded + weight · L_t) + blendOriginal ·
 // photo. Then the pixels that show a segment in part, at its outline and up to two pixels outside (core/silhouette.h).
@@ -96,7 +98,7 @@ class ReferenceRenderer {
 
     /// B of every pixel of `label` (see above), zero elsewhere; brute force.
     [[nodiscard]] ImageRgb translucentRadiosity(const SurfaceSamples& samples, const std::vector<Vector3f>& irradiance,
-                                                std::uint16_t label, const kernel::DipoleParams& dipole,
+                                                std::uint16_t label, const DiffusionProfile& profile,
                                                 const StepContext& context = StepContext()) const;
 
     /// L_t of every translucent segment, with the scene's sample counts; the material's weight is not applied.

@@ -104,13 +104,17 @@ struct EnvironmentParams {
     bool operator==(const EnvironmentParams&) const = default;
 };
 
+/// How exactly light below a surface is summed over its samples (core/diffusion_grid.h).
+enum class DiffusionQuality : std::uint8_t { Draft, Standard, Fine };
+
 struct RenderParams {
     int samples = 64;  ///< paths per pixel at which accumulation stops
     std::uint32_t seed = 1;
-    int bounces = 4;             ///< surfaces a path may visit; 1 = the paper
-    bool filter = true;          ///< edge-aware filter of the result
-    int surfaceSamples = 10000;  ///< translucency: samples on front and back of a segment
-    int irradianceSamples = 64;  ///< translucency: rays per surface sample
+    int bounces = 4;              ///< surfaces a path may visit; 1 = the paper
+    bool filter = true;           ///< edge-aware filter of the result
+    int surfaceSamples = 100000;  ///< translucency: samples on front and back of a segment
+    int irradianceSamples = 8;    ///< translucency: rays per surface sample
+    DiffusionQuality diffusionQuality = DiffusionQuality::Standard;
     bool operator==(const RenderParams&) const = default;
 };
 

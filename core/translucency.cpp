@@ -5,7 +5,9 @@
 #include <cctype>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
+#include "core/diffusion_profile.h"
 #include "shaders/shared/param_info.h"
 #include "shaders/shared/rng.h"
 
@@ -14,26 +16,21 @@ namespace core {
 namespace {
 
 constexpr TranslucencyPreset kPresets[] = {
-    {"apple", PARAM_LABEL("presets", "Apple"), {2.29f, 2.39f, 1.97f}, {0.0030f, 0.0034f, 0.046f}},
-    {"chicken1", PARAM_LABEL("presets", "Chicken 1"), {0.15f, 0.21f, 0.38f}, {0.015f, 0.077f, 0.19f}},
-    {"chicken2", PARAM_LABEL("presets", "Chicken 2"), {0.19f, 0.25f, 0.32f}, {0.018f, 0.088f, 0.20f}},
-    {"cream", PARAM_LABEL("presets", "Cream"), {7.38f, 5.47f, 3.15f}, {0.0002f, 0.0028f, 0.0163f}},
-    {"ketchup", PARAM_LABEL("presets", "Ketchup"), {0.18f, 0.07f, 0.03f}, {0.061f, 0.97f, 1.45f}},
-    {"marble", PARAM_LABEL("presets", "Marble"), {2.19f, 2.62f, 3.00f}, {0.0021f, 0.0041f, 0.0071f}},
-    {"potato", PARAM_LABEL("presets", "Potato"), {0.68f, 0.70f, 0.55f}, {0.0024f, 0.0090f, 0.12f}},
-    {"skimmilk", PARAM_LABEL("presets", "Skimmed milk"), {0.70f, 1.22f, 1.90f}, {0.0014f, 0.0025f, 0.0142f}},
-    {"skin1", PARAM_LABEL("presets", "Skin 1"), {0.74f, 0.88f, 1.01f}, {0.032f, 0.17f, 0.48f}},
-    {"skin2", PARAM_LABEL("presets", "Skin 2"), {1.09f, 1.59f, 1.79f}, {0.013f, 0.070f, 0.145f}},
-    {"spectralon", PARAM_LABEL("presets", "Spectralon"), {11.6f, 20.4f, 14.9f}, {0, 0, 0}},
-    {"wholemilk", PARAM_LABEL("presets", "Whole milk"), {2.55f, 3.21f, 3.77f}, {0.0011f, 0.0024f, 0.014f}},
+    {"apple", PARAM_LABEL("presets", "Apple"), {2.29f, 2.39f, 1.97f}, {0.0030f, 0.0034f, 0.046f}, 1.3f},
+    {"chicken1", PARAM_LABEL("presets", "Chicken 1"), {0.15f, 0.21f, 0.38f}, {0.015f, 0.077f, 0.19f}, 1.3f},
+    {"chicken2", PARAM_LABEL("presets", "Chicken 2"), {0.19f, 0.25f, 0.32f}, {0.018f, 0.088f, 0.20f}, 1.3f},
+    {"cream", PARAM_LABEL("presets", "Cream"), {7.38f, 5.47f, 3.15f}, {0.0002f, 0.0028f, 0.0163f}, 1.3f},
+    {"ketchup", PARAM_LABEL("presets", "Ketchup"), {0.18f, 0.07f, 0.03f}, {0.061f, 0.97f, 1.45f}, 1.3f},
+    {"marble", PARAM_LABEL("presets", "Marble"), {2.19f, 2.62f, 3.00f}, {0.0021f, 0.0041f, 0.0071f}, 1.5f},
+    {"potato", PARAM_LABEL("presets", "Potato"), {0.68f, 0.70f, 0.55f}, {0.0024f, 0.0090f, 0.12f}, 1.3f},
+    {"skimmilk", PARAM_LABEL("presets", "Skimmed milk"), {0.70f, 1.22f, 1.90f}, {0.0014f, 0.0025f, 0.0142f}, 1.3f},
+    {"skin1", PARAM_LABEL("presets", "Skin 1"), {0.74f, 0.88f, 1.01f}, {0.032f, 0.17f, 0.48f}, 1.3f},
+    {"skin2", PARAM_LABEL("presets", "Skin 2"), {1.09f, 1.59f, 1.79f}, {0.013f, 0.070f, 0.145f}, 1.3f},
+    {"spectralon", PARAM_LABEL("presets", "Spectralon"), {11.6f, 20.4f, 14.9f}, {0, 0, 0}, 1.3f},
+    {"wholemilk", PARAM_LABEL("presets", "Whole milk"), {2.55f, 3.21f, 3.77f}, {0.0011f, 0.0024f, 0.014f}, 1.3f},
 };
 
-/// Scattering coefficients below this [1/mm] are no medium that diffusion describes.
-constexpr double kMinExtinction = 1e-6;
-
 double coefficient(float value) { return std::isfinite(value) && value > 0 ? static_cast<double>(value) : 0.0; }
-
-double relativeIndex(float eta) { return std::isfinite(eta) ? std::clamp(static_cast<double>(eta), 0.1, 10.0) : 1.0; }
 
 /// Mean Fresnel reflectance for diffuse light entering a denser medium: 2 ∫ F(μ) μ dμ.
 double externalDiffuseFresnel(double eta) {
@@ -49,28 +46,63 @@ double externalDiffuseFresnel(double eta) {
     return 2 * sum / kSteps;
 }
 
-double boundaryTerm(double eta) {
-    const double fdr = internalDiffuseFresnel(eta);
-    return (1 + fdr) / (1 - fdr);
+/// ∫ F(μ) μⁿ dμ over [0, 1] for light that meets the boundary of a medium of relative index `eta` from inside.
+double internalFresnelMoment(double eta, int n) {
+    constexpr int kSteps = 4000;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double c = (i + 0.5) / kSteps;
+        const double g2 = 1 / (eta * eta) - 1 + c * c;
+        double f = 1;
+        if (g2 > 0) {
+            const double g = std::sqrt(g2);
+            const double s = (g - c) / (g + c);
+            const double p = (c * (g + c) - 1) / (c * (g - c) + 1);
+            f = 0.5 * s * s * (1 + p * p);
+        }
+        sum += f * std::pow(c, n);
+    }
+    return sum / kSteps;
 }
 
-double halfSpaceReflectance(double alphaPrime, double a) {
-    const double s = std::sqrt(3 * (1 - alphaPrime));
-    return 0.5 * alphaPrime * (1 + std::exp(-4.0 / 3.0 * a * s)) * std::exp(-s);
+/// Reflectance of a half space of albedo `alphaPrime`.
+double halfSpaceReflectance(double alphaPrime, ScatteringModel model, const DiffuseBoundary& boundary) {
+    return halfSpaceProfile(alphaPrime, 1 - alphaPrime, model, boundary).integral(0);
 }
 
-float& channel(kernel::vec4& v, int c) { return c == 0 ? v.x : c == 1 ? v.y : v.z; }
+/// Position on the Hilbert curve over 65536² pixels: neighbours on the curve are neighbours in the picture.
+std::uint64_t hilbertIndex(std::uint32_t x, std::uint32_t y) {
+    std::uint64_t index = 0;
+    for (std::uint32_t side = 1U << 15; side > 0; side >>= 1) {
+        const std::uint32_t right = (x & side) != 0 ? 1 : 0;
+        const std::uint32_t low = (y & side) != 0 ? 1 : 0;
+        index = index << 2 | ((3 * right) ^ low);
+        if (low == 0) {
+            if (right == 1) {
+                x = ~x;
+                y = ~y;
+            }
+            std::swap(x, y);
+        }
+    }
+    return index;
+}
 
-/// Position on the Z-order curve, so that neighbours in the list are neighbours in the picture.
-std::uint64_t mortonCode(int x, int y) {
-    const auto spread = [](std::uint64_t v) {
-        v = (v | (v << 16)) & 0x0000ffff0000ffffULL;
-        v = (v | (v << 8)) & 0x00ff00ff00ff00ffULL;
-        v = (v | (v << 4)) & 0x0f0f0f0f0f0f0f0fULL;
-        v = (v | (v << 2)) & 0x3333333333333333ULL;
-        return (v | (v << 1)) & 0x5555555555555555ULL;
-    };
-    return spread(static_cast<std::uint64_t>(x)) | (spread(static_cast<std::uint64_t>(y)) << 1);
+/// Number i of the van der Corput sequence, Owen-scrambled by the hash of [LK11] (improved constants), in [0, 1).
+double scrambledVanDerCorput(std::uint32_t i, std::uint32_t seed) {
+    // Scrambling nested from the highest digit on is hashing from the lowest on of the bits in reverse, which is i.
+    std::uint32_t v = i;
+    v ^= v * 0x3d20adeaU;
+    v += seed;
+    v *= (seed >> 16) | 1U;
+    v ^= v * 0x05526c56U;
+    v ^= v * 0x53a22864U;
+    v = ((v >> 1) & 0x55555555U) | ((v & 0x55555555U) << 1);
+    v = ((v >> 2) & 0x33333333U) | ((v & 0x33333333U) << 2);
+    v = ((v >> 4) & 0x0f0f0f0fU) | ((v & 0x0f0f0f0fU) << 4);
+    v = ((v >> 8) & 0x00ff00ffU) | ((v & 0x00ff00ffU) << 8);
+    v = (v >> 16) | (v << 16);
+    return std::ldexp(static_cast<double>(v) + 0.5, -32);
 }
 
 }  // namespace
@@ -93,6 +125,7 @@ Translucency toTranslucency(const TranslucencyPreset& preset) {
     t.preset = preset.key;
     t.sigmaSPrime = Vector3f(preset.sigmaSPrime[0], preset.sigmaSPrime[1], preset.sigmaSPrime[2]);
     t.sigmaA = Vector3f(preset.sigmaA[0], preset.sigmaA[1], preset.sigmaA[2]);
+    t.eta = preset.eta;
     return t;
 }
 
@@ -103,57 +136,55 @@ double internalDiffuseFresnel(double eta) {
     return externalDiffuseFresnel(1 / eta);
 }
 
-Translucency translucencyFromDiffuse(const Vector3f& color, const Vector3f& meanFreePathMm, float eta) {
+DiffuseBoundary diffuseBoundary(ScatteringModel model, double eta) {
+    eta = std::isfinite(eta) ? std::clamp(eta, 0.1, 10.0) : 1.0;
+    if (model == ScatteringModel::Dipole) {
+        const double fdr = internalDiffuseFresnel(eta);
+        return {.a = (1 + fdr) / (1 - fdr), .fluence = 0, .flux = 1};
+    }
+    const double c1 = eta == 1 ? 0 : internalFresnelMoment(eta, 1);
+    const double c2 = eta == 1 ? 0 : internalFresnelMoment(eta, 2);
+    return {.a = (1 + 3 * c2) / (1 - 2 * c1), .fluence = 0.25 * (1 - 2 * c1), .flux = 0.5 * (1 - 3 * c2)};
+}
+
+Translucency translucencyFromDiffuse(const Vector3f& color, const Vector3f& meanFreePathMm, float eta,
+                                     ScatteringModel model) {
     Translucency t;
+    t.model = model;
     t.eta = eta;
-    const double a = boundaryTerm(relativeIndex(eta));
+    const DiffuseBoundary boundary = diffuseBoundary(model, static_cast<double>(eta));
     for (int c = 0; c < 3; ++c) {
         const double target = std::clamp(coefficient(color[c]), 0.0, 1.0);
         double low = 0;
         double high = 1;
         for (int i = 0; i < 60; ++i) {
             const double middle = 0.5 * (low + high);
-            (halfSpaceReflectance(middle, a) < target ? low : high) = middle;
+            (halfSpaceReflectance(middle, model, boundary) < target ? low : high) = middle;
         }
-        // σtr = sqrt(3 σa σt') = σt' sqrt(3 (1 − α')); at α' = 1 nothing is absorbed and σtr is 0 whatever σt' is, so
-        // stop just short of it.
+        // At α' = 1 nothing is absorbed and σtr is 0 whatever σt' is, so stop just short of it.
         const double alphaPrime = std::min(0.5 * (low + high), 0.99999);
         const double sigmaTr = 1 / std::max(coefficient(meanFreePathMm[c]), 1e-4);
-        const double sigmaT = sigmaTr / std::sqrt(3 * (1 - alphaPrime));
+        const double sigmaT = sigmaTr / transportCoefficient(alphaPrime, 1 - alphaPrime, model);
         t.sigmaSPrime[c] = static_cast<float>(alphaPrime * sigmaT);
         t.sigmaA[c] = static_cast<float>((1 - alphaPrime) * sigmaT);
     }
     return t;
 }
 
-kernel::DipoleParams dipoleFromTranslucency(const Translucency& translucency) {
-    kernel::DipoleParams p;
-    const double eta = relativeIndex(translucency.eta);
-    const double a = boundaryTerm(eta);
-    const double scale = std::max(coefficient(translucency.scale), 1e-6);
+Vector3f diffuseMeanFreePath(const Translucency& translucency) {
+    Vector3f result;
     for (int c = 0; c < 3; ++c) {
-        const double sigmaS = coefficient(translucency.sigmaSPrime[c]);
-        const double sigmaA = coefficient(translucency.sigmaA[c]);
-        const double sigmaT = std::max(sigmaS + sigmaA, kMinExtinction);
-        const double perMetre = 1000 * scale;
-        const double zr = 1 / (sigmaT * perMetre);
-        channel(p.zr, c) = static_cast<float>(zr);
-        channel(p.zv, c) = static_cast<float>(zr * (1 + 4.0 / 3.0 * a));
-        channel(p.sigmaTr, c) = static_cast<float>(std::sqrt(3 * sigmaA * sigmaT) * perMetre);
-        channel(p.alphaPrime, c) = static_cast<float>(sigmaS / sigmaT);
+        const double sigmaTr = transportCoefficient(coefficient(translucency.sigmaSPrime[c]),
+                                                    coefficient(translucency.sigmaA[c]), translucency.model);
+        result[c] = static_cast<float>(std::min(1 / std::max(sigmaTr, 1e-9), static_cast<double>(kLongestFreePath)));
     }
-    p.alphaPrime.w = static_cast<float>(eta);
-    return p;
+    return result;
 }
 
 Vector3f diffuseReflectance(const Translucency& translucency) {
-    const double a = boundaryTerm(relativeIndex(translucency.eta));
+    const DiffusionProfile profile = profileFromTranslucency(translucency);
     Vector3f result;
-    for (int c = 0; c < 3; ++c) {
-        const double sigmaS = coefficient(translucency.sigmaSPrime[c]);
-        const double sigmaT = std::max(sigmaS + coefficient(translucency.sigmaA[c]), kMinExtinction);
-        result[c] = static_cast<float>(halfSpaceReflectance(sigmaS / sigmaT, a));
-    }
+    for (int c = 0; c < 3; ++c) result[c] = static_cast<float>(profile.integral(c));
     return result;
 }
 
@@ -164,9 +195,7 @@ SurfaceSamples sampleSurface(const Analysis& analysis, const LabelImage& labels,
     for (std::size_t i = 0; i < labels.size(); ++i)
         if (labels[i] == label) pixels.push_back(static_cast<std::uint32_t>(i));
     const auto width = static_cast<std::uint32_t>(labels.width());
-    const auto code = [width](std::uint32_t i) {
-        return mortonCode(static_cast<int>(i % width), static_cast<int>(i / width));
-    };
+    const auto code = [width](std::uint32_t i) { return hilbertIndex(i % width, i / width); };
     std::sort(pixels.begin(), pixels.end(), [&](std::uint32_t a, std::uint32_t b) { return code(a) < code(b); });
 
     SurfaceSamples result;
@@ -183,11 +212,11 @@ SurfaceSamples sampleSurface(const Analysis& analysis, const LabelImage& labels,
 
     result.samples.reserve(static_cast<std::size_t>(count));
     const std::uint32_t stream = kernel::rng_stream(seed, 2u * label);
-    std::size_t cursor = 0;
     for (int s = 0; s < count; ++s) {
-        const double u = static_cast<double>(kernel::rng_float(static_cast<kernel::uint>(s), 0, 0, stream));
-        const double target = (s + u) / count * result.area;
-        while (cursor + 1 < cumulative.size() && cumulative[cursor] <= target) ++cursor;
+        const double curve = scrambledVanDerCorput(static_cast<std::uint32_t>(s), stream);
+        const double target = curve * result.area;
+        const auto found = std::upper_bound(cumulative.begin(), cumulative.end(), target);
+        const auto cursor = static_cast<std::size_t>(std::min(found, cumulative.end() - 1) - cumulative.begin());
         const bool back = cursor >= pixels.size();
         const std::uint32_t i = pixels[back ? cursor - pixels.size() : cursor];
         const Surface& layer = *layers[back ? 1 : 0];
@@ -195,15 +224,30 @@ SurfaceSamples sampleSurface(const Analysis& analysis, const LabelImage& labels,
                                   .y = static_cast<int>(i / width),
                                   .back = back,
                                   .position = layer.position[i],
-                                  .normal = layer.normal[i]});
+                                  .normal = layer.normal[i],
+                                  .curve = curve});
     }
+    result.order.resize(result.samples.size());
+    std::iota(result.order.begin(), result.order.end(), 0U);
+    std::sort(result.order.begin(), result.order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return result.samples[a].curve < result.samples[b].curve; });
     return result;
 }
 
-kernel::DipoleParams smoothedFor(const SurfaceSamples& samples, kernel::DipoleParams dipole) {
-    const auto count = static_cast<double>(samples.samples.size());
-    dipole.zr.w = count > 0 ? static_cast<float>(samples.area / count) : 0.0f;
-    return dipole;
+std::vector<float> sampleAreas(const SurfaceSamples& samples, std::size_t count) {
+    count = std::min(count, samples.samples.size());
+    std::vector<std::uint32_t> along;
+    for (const std::uint32_t i : samples.order)
+        if (i < count) along.push_back(i);
+    std::vector<float> areas(count, 0.0f);
+    const auto border = [&](std::size_t k) {  // between number k-1 and number k along the curve
+        if (k == 0) return 0.0;
+        if (k == along.size()) return 1.0;
+        return 0.5 * (samples.samples[along[k - 1]].curve + samples.samples[along[k]].curve);
+    };
+    for (std::size_t k = 0; k < along.size(); ++k)
+        areas[along[k]] = static_cast<float>((border(k + 1) - border(k)) * samples.area);
+    return areas;
 }
 
 }  // namespace core

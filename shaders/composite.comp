@@ -6,7 +6,7 @@
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shaders/lib/pixels.glsl"
 #include "shaders/shared/composite_block.h"
-#include "shaders/shared/dipole.h"
+#include "shaders/brdf/fresnel.h"
 #include "shaders/shared/drive.h"
 #include "shaders/shared/sampling.h"
 
@@ -39,12 +39,11 @@ void main() {
         vec3 fresh = block.filtered != 0u ? texelFetch(filteredMap, pixel, 0).rgb
                                           : texelFetch(accumulationMap, pixel, 0).rgb / count;
         if (block.translucent != 0u) {
-            vec4 diffusion = texelFetch(diffusionMap, pixel, 0);
+            vec3 diffusion = texelFetch(diffusionMap, pixel, 0).rgb;
             vec3 wo = normalize(-frontPosition(pixel));
             vec3 n = shading_normal(texelFetch(frontNormalMap, pixel, 0).xyz, wo);
             float transmission = fresnel_transmission(sliceValue(block.eta), max(dot(n, wo), 0.0));
-            float scale = kInvPi * block.area / max(diffusion.w, 1.0) * transmission;
-            fresh += weightAt(block.translucentWeight, kDriveTranslucentWeight, pixel) * scale * diffusion.rgb;
+            fresh += weightAt(block.translucentWeight, kDriveTranslucentWeight, pixel) * transmission * kInvPi * diffusion;
         }
         result = weightAt(block.blendNew, kDriveBlendNew, pixel) * fresh +
                  weightAt(block.blendOriginal, kDriveBlendOriginal, pixel) * photo;

@@ -1628,6 +1628,50 @@
         <source>Choose metal</source>
         <translation>Metall wählen</translation>
     </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Dipole</source>
+        <translation>Dipol</translation>
+    </message>
+    <message>
+        <source>Better dipole</source>
+        <translation>Besserer Dipol</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Free path</source>
+        <translation>Freie Weglänge</translation>
+    </message>
+    <message>
+        <source>How light spreads: the better dipole is nearer to the truth where much is absorbed</source>
+        <translation>Wie sich Licht ausbreitet: Der bessere Dipol ist näher an der Wahrheit, wo viel absorbiert wird</translation>
+    </message>
+    <message>
+        <source>Colour of a thick piece; changes absorption and scattering</source>
+        <translation>Farbe eines dicken Stücks; ändert Absorption und Streuung</translation>
+    </message>
+    <message>
+        <source>How far light gets below the surface [mm]; changes absorption and scattering</source>
+        <translation>Wie weit Licht unter der Oberfläche kommt [mm]; ändert Absorption und Streuung</translation>
+    </message>
+    <message>
+        <source>Change scattering model</source>
+        <translation>Streumodell ändern</translation>
+    </message>
+    <message>
+        <source>Change diffusion colour</source>
+        <translation>Streufarbe ändern</translation>
+    </message>
+    <message>
+        <source>Change free path</source>
+        <translation>Freie Weglänge ändern</translation>
+    </message>
 </context>
 <context>
     <name>ui::NewPhotoDialog</name>
@@ -1880,6 +1924,30 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     <message>
         <source>Change %1</source>
         <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>How exactly the light of all surface samples is summed</source>
+        <translation>Wie genau das Licht aller Oberflächenproben summiert wird</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>Fein</translation>
+    </message>
+    <message>
+        <source>Change translucency quality</source>
+        <translation>Güte der Transluzenz ändern</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,8 @@ constexpr float kMaxCoefficient = 1e5f;  // [1/mm]
 constexpr float kMaxFreePath = 1e5f;     // [mm]
 constexpr float kMinFreePath = 1e-4f;    // [mm]
 
+const std::vector<std::string> kScatteringModels{"dipole", "better_dipole"};
+
 std::vector<std::string> brdfKeys() {
     std::vector<std::string> keys;
     for (const BrdfInfo& brdf : brdfs()) keys.emplace_back(brdf.key);
@@ -42,7 +44,10 @@ Translucency readTranslucency(const json& value, const std::string& place, Error
     JsonReader reader(value, place, kind);
     Translucency result;
     float eta = 1.3f;
+    const bool ownEta = reader.has("eta");
     reader.read("eta", eta, 1.0f, 3.0f);
+    if (const auto model = reader.readChoice("model", kScatteringModels))
+        result.model = static_cast<ScatteringModel>(*model);
     reader.read("scale", result.scale, 1e-4f, 1e4f);
     reader.read("weight", result.weight, 0.0f, kMaxWeight);
 
@@ -82,8 +87,9 @@ Translucency readTranslucency(const json& value, const std::string& place, Error
         result.preset = found->key;
         result.sigmaA = measured.sigmaA;
         result.sigmaSPrime = measured.sigmaSPrime;
+        if (!ownEta) eta = measured.eta;
     } else if (diffuse) {
-        const Translucency inverted = translucencyFromDiffuse(color, freePath, eta);
+        const Translucency inverted = translucencyFromDiffuse(color, freePath, eta, result.model);
         result.sigmaA = inverted.sigmaA;
         result.sigmaSPrime = inverted.sigmaSPrime;
     }
@@ -102,6 +108,7 @@ ordered_json writeTranslucency(const Translucency& t) {
         result["sigma_a"] = toJson(t.sigmaA);
         result["sigma_s_prime"] = toJson(t.sigmaSPrime);
     }
+    if (t.model != ScatteringModel::Dipole) result["model"] = kScatteringModels[static_cast<std::size_t>(t.model)];
     result["eta"] = toJson(t.eta);
     result["scale"] = toJson(t.scale);
     result["weight"] = toJson(t.weight);

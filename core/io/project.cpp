@@ -27,6 +27,7 @@ const std::vector<std::string> kBackSideMethods{"automatic",  "offset",         
                                                 "pca_mirror", "spanned_mirror", "flat_faces"};
 const std::vector<std::string> kEnvironmentUses{"replace", "complete"};
 const std::vector<std::string> kEnvironmentFills{"shepard", "membrane"};
+const std::vector<std::string> kDiffusionQualities{"draft", "standard", "fine"};
 
 std::string knownLabels(const Scene& scene) {
     std::string text;
@@ -175,6 +176,8 @@ void readRender(const json& value, RenderParams& params) {
     reader.read("filter", params.filter);
     reader.read("surface_samples", params.surfaceSamples, 1, 10'000'000);
     reader.read("irradiance_samples", params.irradianceSamples, 1, 1'000'000);
+    if (const auto quality = reader.readChoice("translucency_quality", kDiffusionQualities))
+        params.diffusionQuality = static_cast<DiffusionQuality>(*quality);
     reader.finish();
 }
 
@@ -274,12 +277,14 @@ ordered_json writeScene(const Scene& scene, const fs::path& folder) {
     environment["use"] = kEnvironmentUses[static_cast<std::size_t>(scene.environment.use)];
     environment["fill"] = kEnvironmentFills[static_cast<std::size_t>(scene.environment.fill)];
     if (!scene.backDepthPath.empty()) result["back_depth"] = relativeTo(folder, scene.backDepthPath);
-    result["render"] = {{"samples", scene.render.samples},
-                        {"seed", scene.render.seed},
-                        {"bounces", scene.render.bounces},
-                        {"filter", scene.render.filter},
-                        {"surface_samples", scene.render.surfaceSamples},
-                        {"irradiance_samples", scene.render.irradianceSamples}};
+    result["render"] = {
+        {"samples", scene.render.samples},
+        {"seed", scene.render.seed},
+        {"bounces", scene.render.bounces},
+        {"filter", scene.render.filter},
+        {"surface_samples", scene.render.surfaceSamples},
+        {"irradiance_samples", scene.render.irradianceSamples},
+        {"translucency_quality", kDiffusionQualities[static_cast<std::size_t>(scene.render.diffusionQuality)]}};
     return result;
 }
 

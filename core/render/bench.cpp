@@ -19,11 +19,11 @@
 #include "core/luminance.h"
 #include "core/pipeline.h"
 #include "core/render/bench_embree.h"
+#include "core/render/bench_translucency.h"
 #include "core/render/gpu_analysis_kernels.h"
 #include "core/render/march_rays.h"
 #include "core/render/renderer.h"
 #include "core/render/scene_geometry.h"
-#include "core/translucency.h"
 #include "gpu/pass_timer.h"
 #include "shaders/shared/sampling.h"
 
@@ -297,16 +297,8 @@ void Bench::quality() {
 void Bench::translucency() {
     core::Material material = core::defaultMaterial(*core::findBrdf("none"));
     material.translucency = core::Translucency();
-    core::Scene edited = withEdit(material);
-    edited.render.samples = 1;
-    edited.render.filter = false;
-    edited.render.surfaceSamples = 512;
-    Renderer renderer(device);
-    renderer.setScene(edited, analysis);
-    (void)renderSeconds(renderer, false, 0.1);
-    edited.render.surfaceSamples = 10000;
-    renderer.setScene(edited, analysis);
-    add("translucency", "brute_seconds.10k", renderSeconds(renderer, false, 0.1), "s");
+    const std::vector<BenchResult> found = benchTranslucency(device, withEdit(material), analysis, context);
+    results.insert(results.end(), found.begin(), found.end());
 }
 
 std::map<std::string, double> Bench::analysisSeconds(core::AnalysisKernels& kernels) const {

@@ -2,7 +2,10 @@
 #include "core/render/renderer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <future>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -28,14 +31,14 @@ namespace {
 // What a unit of work costs before anything has been measured [s]: a slow processor's time, so that first slices are
 // short everywhere.
 constexpr double kPathGuess = 4e-6;       // one path
-constexpr double kPairGuess = 4e-8;       // one surface sample onto one pixel
+constexpr double kAccessGuess = 1e-8;     // one access to the grids of light below a surface
 constexpr double kFilterGuess = 1e-5;     // one pixel in one step of the filter
 constexpr double kCompositeGuess = 5e-7;  // one pixel
 
 constexpr std::uint32_t kMaxPathsPerDispatch = 16;  // per pixel: bounds what one invocation may take
 // What starting this kernel costs a software driver is as much as these paths; smaller slices would mean only that.
 constexpr std::uint64_t kMinIrradiancePaths = 4096;
-constexpr std::uint32_t kChunk = 256;  // surface samples gathered at a time
+constexpr std::uint64_t kMinAccesses = 200000;  // likewise
 
 enum class Task { None, Reshade, Filter, Irradiance, Gather };
 
@@ -59,6 +62,7 @@ struct Renderer::Impl {
           geometry(device),
           reshade(device, geometry.layout()),
           translucency(device, geometry.layout()),
+          diffusion(device, geometry.layout()),
           filter(device, geometry.layout()),
           composite(device, geometry.layout()),
           silhouette(device, geometry.layout()),
@@ -82,6 +86,7 @@ struct Renderer::Impl {
     SceneGeometry geometry;
     ReshadePass reshade;
     TranslucencyPass translucency;
+    DiffusionPass diffusion;
     FilterPass filter;
     CompositePass composite;
     SilhouettePass silhouette;
@@ -111,6 +116,7 @@ struct Renderer::Impl {
     void preparePixels(SegmentState& state);
     void prepareSilhouette(SegmentState& state);
     void prepareTranslucency(SegmentState& state);
+    void prepareGather(const gpu::CommandEncoder& encoder, SegmentState& state);
 
     bool record(gpu::CommandEncoder& encoder, double budgetSeconds);
     void waitForKernels(const gpu::CommandEncoder& encoder);
@@ -121,6 +127,7 @@ struct Renderer::Impl {
     double recordIrradiance(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds);
     double recordGather(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds);
     void recordComposite(const gpu::CommandEncoder& encoder, SegmentState& state);
+    bool awaitPoints(double seconds);
     void recordDroppedReadback(const gpu::CommandEncoder& encoder);
 
     [[nodiscard]] std::uint32_t targetSamples() const { return positive(scene.render.samples); }
@@ -227,22 +234,24 @@ void Renderer::Impl::updateSegment(SegmentState& state, const core::Segment& seg
         state.irradianceKey = {};
         return;
     }
-    const kernel::DipoleParams dipole = core::dipoleFromTranslucency(*material.translucency);
     lightKey.surfaceSamples = scene.render.surfaceSamples;
     lightKey.irradianceSamples = scene.render.irradianceSamples;
-    lightKey.eta = dipole.alphaPrime.w;
-    const bool newLight = !lightKey.same(state.irradianceKey);
-    if (newLight) {
+    lightKey.quality = scene.render.diffusionQuality;
+    lightKey.eta = core::profileFromTranslucency(*material.translucency).eta;
+    if (!lightKey.same(state.irradianceKey)) {
+        const SumKey& old = state.irradianceKey;
+        if (lightKey.seed != old.seed || lightKey.surfaceSamples != old.surfaceSamples ||
+            lightKey.quality != old.quality)
+            state.pointsStale = true;
         state.irradianceKey = std::move(lightKey);
-        state.pointsStale = true;
+        state.restartLight();
     }
-    if (newLight || !same(dipole, state.dipoleParams)) {
-        state.dipoleParams = dipole;
-        state.dipole = {};
-        state.gatherFresh = true;
-        state.gathered = 0;
-        state.gatherCursor = 0;
-        state.compositeStale = true;
+    core::Translucency scattering = *material.translucency;
+    scattering.weight = 1;
+    scattering.preset.clear();
+    if (!(scattering == state.scattering)) {
+        state.scattering = std::move(scattering);
+        state.restartGather();
     }
 }
 
@@ -319,8 +328,7 @@ void Renderer::Impl::prepareTargets() {
         targets.filtered = makeTarget(device, "filtered", 1, 1);
         targets.diffusion = makeTarget(device, "diffusion", 1, 1);
         resultStale = true;
-        for (SegmentState& state : segments)
-            state.reshadeGroup = state.gatherGroup = state.compositeGroup = state.silhouetteGroup = {};
+        for (SegmentState& state : segments) state.reshadeGroup = state.compositeGroup = state.silhouetteGroup = {};
     }
     if (scene.render.filter && !segments.empty() && !fits(targets.filtered)) {
         targets.filtered = makeTarget(device, "filtered", width, height);
@@ -335,7 +343,10 @@ void Renderer::Impl::prepareTargets() {
         std::any_of(segments.begin(), segments.end(), [](const SegmentState& s) { return s.translucent(); });
     if (translucent && !fits(targets.diffusion)) {
         targets.diffusion = makeTarget(device, "diffusion", width, height);
-        for (SegmentState& state : segments) state.gatherGroup = state.compositeGroup = {};
+        for (SegmentState& state : segments) {
+            state.compositeGroup = {};
+            state.pointsStale = true;
+        }
     }
 }
 
@@ -365,25 +376,55 @@ void Renderer::Impl::prepareSilhouette(SegmentState& state) {
 }
 
 void Renderer::Impl::prepareTranslucency(SegmentState& state) {
-    if (state.pointsStale) {
-        state.points = translucency.upload(core::sampleSurface(*analysis, scene.photo->labels, state.label,
-                                                               scene.render.surfaceSamples, scene.render.seed));
+    const bool made = state.pendingPoints.valid() &&
+                      state.pendingPoints.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    if (made) {
+        SurfaceGrids grids = state.pendingPoints.get();
+        if (!state.pointsStale) {
+            state.surface = std::move(grids.surface);
+            state.points = translucency.upload(state.surface);
+            state.grids = diffusion.upload(std::move(grids.grid), state.points.sums, targets);
+            state.irradianceGroup = {};
+            state.restartLight();
+        }
+    }
+    if (state.pointsStale && !state.pendingPoints.valid()) {
         state.pointsStale = false;
-        state.litPoints = 0;
-        state.litRays = 0;
-        state.dipole = {};
-        state.irradianceGroup = state.gatherGroup = {};
+        state.points = {};
+        state.pendingPoints = std::async(
+            std::launch::async, [photo = scene.photo, from = analysis, label = state.label, params = scene.render] {
+                return makeSurfaceGrids(*photo, *from, label, params);
+            });
     }
-    if (!state.irradianceGroup) state.irradianceGroup = translucency.bindIrradiance(paths, state.points);
-    if (!state.dipole) {
-        kernel::DipoleParams smoothed = state.dipoleParams;
-        smoothed.zr.w = state.points.smoothing;
-        state.dipole =
-            makeBuffer(device, "dipole", gpu::BufferUsage::Uniform, std::vector<kernel::DipoleParams>{smoothed});
-        state.gatherGroup = {};
+    if (!state.irradianceGroup && state.points.count > 0)
+        state.irradianceGroup = translucency.bindIrradiance(paths, state.points);
+}
+
+/// Before the first slice of a sum: what has to be done for it.
+void Renderer::Impl::prepareGather(const gpu::CommandEncoder& encoder, SegmentState& state) {
+    state.gatherTarget = state.gatherable();
+    state.gatherSteps.clear();
+    state.gatherStep = 0;
+    state.gatherCursor = 0;
+    if (state.gridPoints != state.gatherTarget) {
+        diffusion.setAreas(state.grids, core::sampleAreas(state.surface, state.gatherTarget));
+        state.gatherSteps = DiffusionPass::lightSteps(state.grids);
+        state.gridPoints = 0;
+        state.smoothedFrom = state.grids.grid.levels.size();
     }
-    if (!state.gatherGroup)
-        state.gatherGroup = translucency.bindGather(state.dipole, state.pixels, state.points, targets);
+    state.lightSteps = state.gatherSteps.size();
+    const double spacing = state.grids.grid.spacing;
+    const double area = std::max(state.points.area / state.gatherTarget, spacing * spacing);
+    state.diffusionKernel = core::fitDiffusionKernel(
+        core::blurred(core::profileFromTranslucency(state.scattering), area), state.grids.grid);
+    std::ranges::copy(DiffusionPass::smoothSteps(state.grids, state.diffusionKernel.finest, state.smoothedFrom),
+                      std::back_inserter(state.gatherSteps));
+    state.smoothSteps = state.gatherSteps.size();
+    std::ranges::copy(DiffusionPass::sumSteps(state.grids, state.diffusionKernel),
+                      std::back_inserter(state.gatherSteps));
+    if (!state.diffusionFresh) return;
+    diffusion.recordClear(encoder, geometry, state.grids);
+    state.diffusionFresh = false;
 }
 
 // ---- work -----------------------------------------------------------------------------------------------------------
@@ -419,13 +460,12 @@ std::pair<SegmentState*, Task> Renderer::Impl::nextTask() {
             offer(state, Task::Reshade, 2 + static_cast<double>(state.samples) / targetSamples());
         }
         if (!state.translucent() || state.points.count == 0) continue;
-        const std::uint32_t end = std::min(state.gathered + kChunk, state.points.count);
-        const double done = static_cast<double>(state.gathered) / state.points.count;
+        const double done = static_cast<double>(state.litPoints) / state.points.count;
         const double rank = state.gathered == 0 ? 1 : 2 + done;
-        if (state.litPoints < end)
-            offer(state, Task::Irradiance, rank);
-        else if (state.gathered < state.points.count)
+        if (state.gatherTarget > 0 || state.gatherable() > state.gathered)
             offer(state, Task::Gather, rank);
+        else if (state.litPoints < state.points.count)
+            offer(state, Task::Irradiance, rank);
     }
     return {best, task};
 }
@@ -514,7 +554,7 @@ double Renderer::Impl::recordIrradiance(const gpu::CommandEncoder& encoder, Segm
     block.label = state.label;
     block.seed = kernel::rng_stream(scene.render.seed, 2u * state.label + 1u);
     block.bounces = positive(scene.render.bounces);
-    block.eta = state.dipoleParams.alphaPrime.w;
+    block.eta = state.irradianceKey.eta;
     const std::uint64_t paths_ = std::uint64_t{block.pointCount} * block.rayCount;
     {
         const auto region = timer.measure(encoder, kind, paths_);
@@ -530,39 +570,36 @@ double Renderer::Impl::recordIrradiance(const gpu::CommandEncoder& encoder, Segm
 }
 
 double Renderer::Impl::recordGather(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds) {
-    const char* kind = "gather";
-    kernel::DipoleGatherBlock block{};
-    block.sumScale = static_cast<float>(M_PI / rays());
-    if (state.gatherFresh) {
-        block.pixelCount = state.pixels.count;
-        translucency.record(encoder, geometry, state.gatherGroup, block);
-        state.gatherFresh = false;
+    if (state.gatherTarget == 0) prepareGather(encoder, state);
+    double spent = 0;
+    if (state.gatherStep < state.gatherSteps.size()) {
+        const DiffusionStep& step = state.gatherSteps[state.gatherStep];
+        const std::string kind = nameOf(step.kernel);
+        const std::uint64_t accesses = accessesPerItem(step.kernel);
+        const double guess = kAccessGuess * static_cast<double>(accesses);
+        const std::uint64_t units = timer.units(kind, guess, seconds, kMinAccesses / accesses);
+        const auto count = static_cast<std::uint32_t>(std::min<std::uint64_t>(units, step.count - state.gatherCursor));
+        {
+            const auto region = timer.measure(encoder, kind, count);
+            diffusion.record(encoder, geometry, state.grids, step, state.gatherCursor, count, rays(),
+                             state.diffusionKernel);
+        }
+        spent = count * timer.cost(kind, guess);
+        state.gatherCursor += count;
+        if (state.gatherCursor == step.count) {
+            state.gatherCursor = 0;
+            ++state.gatherStep;
+        }
     }
-    const std::uint32_t chunk = std::min(kChunk, state.points.count - state.gathered);
-    const std::uint64_t units = timer.units(kind, kPairGuess, seconds, std::uint64_t{kListGroupSize} * chunk);
-    block.firstPixel = state.gatherCursor;
-    block.firstPoint = state.gathered;
-    block.pointCount = chunk;
-    block.pixelCount =
-        static_cast<std::uint32_t>(std::min<std::uint64_t>(units / chunk, state.pixels.count - state.gatherCursor));
-    if (block.pixelCount == state.pixels.count) {
-        const auto chunks = static_cast<std::uint32_t>(
-            std::clamp<std::uint64_t>(units / (std::uint64_t{state.pixels.count} * kChunk), 1, 16));
-        block.pointCount =
-            std::min(chunks * kChunk, std::max(state.litPoints, state.gathered + chunk) - state.gathered);
+    if (state.gatherStep >= state.lightSteps) state.gridPoints = state.gatherTarget;
+    if (state.gatherStep >= state.smoothSteps)
+        state.smoothedFrom = std::min(state.smoothedFrom, state.diffusionKernel.finest);
+    if (state.gatherStep == state.gatherSteps.size()) {
+        state.gathered = state.gatherTarget;
+        state.gatherTarget = 0;
+        state.compositeStale = true;
     }
-    const std::uint64_t pairs = std::uint64_t{block.pixelCount} * block.pointCount;
-    {
-        const auto region = timer.measure(encoder, kind, pairs);
-        translucency.record(encoder, geometry, state.gatherGroup, block);
-    }
-    state.gatherCursor += block.pixelCount;
-    if (state.gatherCursor == state.pixels.count) {
-        state.gatherCursor = 0;
-        state.gathered += block.pointCount;
-    }
-    state.compositeStale = true;
-    return static_cast<double>(pairs) * timer.cost(kind, kPairGuess);
+    return spent;
 }
 
 void Renderer::Impl::recordComposite(const gpu::CommandEncoder& encoder, SegmentState& state) {
@@ -573,13 +610,13 @@ void Renderer::Impl::recordComposite(const gpu::CommandEncoder& encoder, Segment
                                        .blendNew = material.blendNew,
                                        .blendOriginal = material.blendOriginal,
                                        .translucentWeight = state.translucent() ? material.translucency->weight : 0.0f,
-                                       .area = state.points.area,
-                                       .eta = state.dipoleParams.alphaPrime.w,
+                                       .eta = state.irradianceKey.eta,
                                        .translucent = state.translucent() ? 1u : 0u,
                                        .firstDrive = shading[state.label].drives.z,
                                        .driveCount = shading[state.label].drives.w,
                                        .pad0 = 0,
-                                       .pad1 = 0};
+                                       .pad1 = 0,
+                                       .pad2 = 0};
     const auto region = timer.measure(encoder, "composite", state.pixels.count);
     composite.record(encoder, geometry, state.compositeGroup, block);
     silhouette.record(encoder, geometry, state.silhouetteGroup,
@@ -587,6 +624,16 @@ void Renderer::Impl::recordComposite(const gpu::CommandEncoder& encoder, Segment
                        .blendOriginal = material.blendOriginal,
                        .firstDrive = block.firstDrive,
                        .driveCount = block.driveCount});
+}
+
+/// With nothing else to do: true when samples of some segment are still being made, after waiting a little for them.
+bool Renderer::Impl::awaitPoints(double seconds) {
+    for (SegmentState& state : segments) {
+        if (!state.translucent() || !state.pendingPoints.valid()) continue;
+        state.pendingPoints.wait_for(std::chrono::duration<double>(std::min(seconds, kMaxSliceSeconds)));
+        return true;
+    }
+    return false;
 }
 
 void Renderer::Impl::recordDroppedReadback(const gpu::CommandEncoder& encoder) {
@@ -663,6 +710,7 @@ bool Renderer::Impl::record(gpu::CommandEncoder& encoder, double budgetSeconds) 
         recordComposite(encoder, state);
         worked = true;
     }
+    if (!worked) worked = awaitPoints(budgetSeconds);
     if (dropped->pending) return worked || dropped->dirty;
     if (dropped->dirty) recordDroppedReadback(encoder);
     return worked;
@@ -696,7 +744,8 @@ Renderer::Progress Renderer::progress() const {
     };
     for (const SegmentState& state : impl_->segments) {
         const bool prepared = static_cast<bool>(state.pixels.buffer);
-        if (!prepared) progress.finished = false;
+        const bool making = state.translucent() && (state.pointsStale || state.pendingPoints.valid());
+        if (!prepared || making) progress.finished = false;
         if (state.compositeStale && state.pixels.count > 0) progress.finished = false;
         if (prepared && state.pixels.count == 0) continue;
         progress.segments.push_back({.label = state.label,
@@ -707,7 +756,8 @@ Renderer::Progress Renderer::progress() const {
         const double sweep = prepared ? static_cast<double>(state.cursor) / state.pixels.count : 0;
         add(state.samples + sweep, impl_->targetSamples());
         if (state.translucent())
-            add(prepared ? state.gathered : 0, prepared && !state.pointsStale ? state.points.count : 1);
+            add(prepared ? state.litPoints + state.gathered : 0,
+                making ? std::numeric_limits<double>::infinity() : 2.0 * state.points.count);
     }
     progress.fraction = works > 0 ? static_cast<float>(sum / works) : (progress.finished ? 1.0f : 0.0f);
     return progress;

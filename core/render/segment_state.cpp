@@ -2,6 +2,7 @@
 #include "core/render/segment_state.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace render {
@@ -46,15 +47,36 @@ std::vector<DriveKey> driveKeys(const core::Scene& scene, std::span<const kernel
 
 bool SumKey::same(const SumKey& other) const {
     return seed == other.seed && bounces == other.bounces && surfaceSamples == other.surfaceSamples &&
-           irradianceSamples == other.irradianceSamples && eta == other.eta &&
+           irradianceSamples == other.irradianceSamples && quality == other.quality && eta == other.eta &&
            std::equal(shading.begin(), shading.end(), other.shading.begin(), other.shading.end(),
                       [](const auto& a, const auto& b) { return equal(a, b); }) &&
            std::equal(drives.begin(), drives.end(), other.drives.begin(), other.drives.end(),
                       [](const auto& a, const auto& b) { return equal(a, b); });
 }
 
-bool same(const kernel::DipoleParams& a, const kernel::DipoleParams& b) {
-    return equal(a.zr, b.zr) && equal(a.zv, b.zv) && equal(a.sigmaTr, b.sigmaTr) && equal(a.alphaPrime, b.alphaPrime);
+std::uint32_t SegmentState::gatherable() const {
+    for (const std::uint32_t part : {1U, 8U, 64U})
+        if (litPoints >= std::max(points.count / part, 1U)) return points.count / part;
+    return 0;
+}
+
+void SegmentState::restartLight() {
+    litPoints = litRays = gridPoints = 0;
+    diffusionFresh = true;
+    restartGather();
+}
+
+SurfaceGrids makeSurfaceGrids(const core::Photo& photo, const core::Analysis& analysis, std::uint16_t label,
+                              const core::RenderParams& params) {
+    SurfaceGrids made;
+    made.surface = core::sampleSurface(analysis, photo.labels, label, params.surfaceSamples, params.seed);
+    std::vector<core::Vector3f> positions;
+    positions.reserve(made.surface.samples.size());
+    for (const core::SurfaceSample& sample : made.surface.samples) positions.push_back(sample.position);
+    made.grid =
+        core::buildDiffusionGrid(positions, std::sqrt(made.surface.areaPerSample()), photo.labels,
+                                 analysis.front->depth, analysis.front->position, label, params.diffusionQuality);
+    return made;
 }
 
 }  // namespace render

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <future>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "core/drives.h"
 #include "core/material.h"
+#include "core/render/passes/diffusion_pass.h"
 #include "core/render/passes/filter_pass.h"
 #include "core/render/passes/segment_targets.h"
 #include "core/render/passes/translucency_pass.h"
@@ -32,11 +34,20 @@ struct SumKey {
     std::vector<DriveKey> drives;                 ///< of the same segments
     std::uint32_t seed = 0;
     int bounces = 0;
-    int surfaceSamples = 0;     ///< light on surface samples only
-    int irradianceSamples = 0;  ///< light on surface samples only
-    float eta = 0;              ///< light on surface samples only
+    int surfaceSamples = 0;                                             ///< light on surface samples only
+    int irradianceSamples = 0;                                          ///< light on surface samples only
+    core::DiffusionQuality quality = core::DiffusionQuality::Standard;  ///< light on surface samples only
+    float eta = 0;                                                      ///< light on surface samples only
     [[nodiscard]] bool same(const SumKey& other) const;
 };
+
+/// What a translucent segment needs before light enters it.
+struct SurfaceGrids {
+    core::SurfaceSamples surface;
+    core::DiffusionGrid grid;
+};
+[[nodiscard]] SurfaceGrids makeSurfaceGrids(const core::Photo& photo, const core::Analysis& analysis,
+                                            std::uint16_t label, const core::RenderParams& params);
 
 /// How far the work on one edited segment has come.
 struct SegmentState {
@@ -51,18 +62,29 @@ struct SegmentState {
     std::uint32_t cursor = 0;  ///< pixels of the next sweep that are done
     gpu::BindGroup reshadeGroup;
 
-    // Translucency: samples are lit first, then gathered in chunks; a chunk is swept over the pixels.
+    // Translucency: samples are lit in order. With a 64th, an eighth and all of them the grids take in their light
+    // and it is summed onto all pixels.
     SumKey irradianceKey;
     bool pointsStale = true;
-    SurfacePoints points;
-    gpu::Buffer dipole;
-    kernel::DipoleParams dipoleParams;
-    bool gatherFresh = true;
+    std::future<SurfaceGrids> pendingPoints;  ///< valid while they are being made, on another thread
+    SurfacePoints points;                     ///< none meanwhile
+    core::Translucency scattering;            ///< what the sum depends on: the material's without its weight
+    core::SurfaceSamples surface;
+    DiffusionGrids grids;
+    core::DiffusionKernel diffusionKernel;
+    gpu::BindGroup irradianceGroup;
+    bool diffusionFresh = true;  ///< what is in the picture is of other light and has to be cleared first
     std::uint32_t litPoints = 0;
-    std::uint32_t litRays = 0;  ///< rays done for the slice of points in work
-    std::uint32_t gathered = 0;
-    std::uint32_t gatherCursor = 0;  ///< pixels of the next chunk that are done
-    gpu::BindGroup irradianceGroup, gatherGroup;
+    std::uint32_t litRays = 0;               ///< rays done for the slice of points in work
+    std::uint32_t gridPoints = 0;            ///< samples whose light is in the grids
+    std::size_t smoothedFrom = 0;            ///< levels from this one on are smooth
+    std::uint32_t gatherTarget = 0;          ///< samples in the sum in work; 0 = none in work
+    std::vector<DiffusionStep> gatherSteps;  ///< of it
+    std::size_t lightSteps = 0;              ///< the first of them: they take in light
+    std::size_t smoothSteps = 0;             ///< with the following, which smooth it
+    std::size_t gatherStep = 0;
+    std::uint32_t gatherCursor = 0;  ///< items of the step that are done
+    std::uint32_t gathered = 0;      ///< samples in the complete sum on show
 
     // Filter: steps over the pixels of a picture that stands still meanwhile.
     FilterPass::Groups filterGroups;
@@ -79,8 +101,12 @@ struct SegmentState {
     bool compositeStale = true;
 
     [[nodiscard]] bool translucent() const { return material.translucency.has_value(); }
+    /// Samples a sum could have now that is worth showing; 0 = too few are lit.
+    [[nodiscard]] std::uint32_t gatherable() const;
+    /// Ends the sum in work, and makes the one on show old.
+    void restartGather() { gatherTarget = gathered = 0; }
+    /// Lights the samples anew.
+    void restartLight();
 };
-
-[[nodiscard]] bool same(const kernel::DipoleParams& a, const kernel::DipoleParams& b);
 
 }  // namespace render

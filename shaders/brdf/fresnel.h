@@ -61,6 +61,9 @@ KERNEL_FN vec3 fresnel_specular(BrdfParams b, float cosH) {
     return c;
 }
 
+/// Fresnel transmission F_t through a dielectric boundary; 1 for an index-matched one.
+KERNEL_FN float fresnel_transmission(float eta, float cosI) { return 1.0f - fresnel_dielectric(cosI, eta); }
+
 KERNEL_END
 
 #endif

@@ -9,7 +9,7 @@
 #define COMPOSITE_ACCUMULATION 1  // rgba32float: sum of radiance, sum of squared luminance
 #define COMPOSITE_COUNT 2         // r32float: samples in the sum
 #define COMPOSITE_FILTERED 3      // rgba32float: filtered colour
-#define COMPOSITE_DIFFUSION 4     // rgba32float: sum of E R_d, number of samples in it
+#define COMPOSITE_DIFFUSION 4     // rgba32float: radiant exitance below the boundary, 1 = known
 #define COMPOSITE_RESULT 5        // rgba32float
 #define COMPOSITE_DRIVES 6        // Drive
 #define COMPOSITE_DRIVE_VALUES 7  // float
@@ -22,13 +22,13 @@ struct CompositeBlock {
     float blendNew;
     float blendOriginal;
     float translucentWeight;
-    float area;        // of the segment's surface, front and back [m^2]
     float eta;         // relative index of refraction of the boundary
     uint translucent;  // 1: add translucentWeight times the translucent light
     uint firstDrive;   // of those that vary the weights
     uint driveCount;
     uint pad0;
     uint pad1;
+    uint pad2;
 };
 KERNEL_BLOCK(CompositeBlock, 48)
 

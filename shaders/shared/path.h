@@ -5,7 +5,6 @@
 #define PATINA_PATH_H
 
 #include "shaders/brdf/brdf.h"
-#include "shaders/shared/dipole.h"
 #include "shaders/shared/drive.h"
 #include "shaders/shared/sampling.h"
 

@@ -10,7 +10,9 @@
 #include "kernels/check_brdf.h"
 #include "kernels/composite.h"
 #include "kernels/depth_filter.h"
-#include "kernels/dipole_gather.h"
+#include "kernels/diffusion_combine.h"
+#include "kernels/diffusion_gather.h"
+#include "kernels/diffusion_splat.h"
 #include "kernels/fill_shepard.h"
 #include "kernels/filter.h"
 #include "kernels/fit_surface.h"
@@ -23,8 +25,7 @@
 #include "shaders/shared/check_brdf_block.h"
 #include "shaders/shared/composite_block.h"
 #include "shaders/shared/depth_filter_block.h"
-#include "shaders/shared/dipole.h"
-#include "shaders/shared/dipole_gather_block.h"
+#include "shaders/shared/diffusion_blocks.h"
 #include "shaders/shared/fill_shepard_block.h"
 #include "shaders/shared/filter_block.h"
 #include "shaders/shared/fit_surface_block.h"
@@ -145,16 +146,20 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
                  sizeof(kernel::IrradianceBlock));
     expectLayout(irradiance_spv, "SurfacePoint", {MEMBER(SurfacePoint, position), MEMBER(SurfacePoint, normal)},
                  sizeof(kernel::SurfacePoint));
-    expectLayout(dipole_gather_spv, "DipoleGatherBlock",
-                 {MEMBER(DipoleGatherBlock, firstPixel), MEMBER(DipoleGatherBlock, pixelCount),
-                  MEMBER(DipoleGatherBlock, firstPoint), MEMBER(DipoleGatherBlock, pointCount),
-                  MEMBER(DipoleGatherBlock, sumScale), MEMBER(DipoleGatherBlock, pad0), MEMBER(DipoleGatherBlock, pad1),
-                  MEMBER(DipoleGatherBlock, pad2)},
-                 sizeof(kernel::DipoleGatherBlock));
-    expectLayout(dipole_gather_spv, "DipoleParams",
-                 {MEMBER(DipoleParams, zr), MEMBER(DipoleParams, zv), MEMBER(DipoleParams, sigmaTr),
-                  MEMBER(DipoleParams, alphaPrime)},
-                 sizeof(kernel::DipoleParams));
+    expectLayout(diffusion_splat_spv, "DiffusionGridBlock",
+                 {MEMBER(DiffusionGridBlock, firstBrick), MEMBER(DiffusionGridBlock, brickCount),
+                  MEMBER(DiffusionGridBlock, levelFirst), MEMBER(DiffusionGridBlock, scale)},
+                 sizeof(kernel::DiffusionGridBlock));
+    expectLayout(diffusion_combine_spv, "DiffusionCombineBlock",
+                 {MEMBER(DiffusionCombineBlock, narrow), MEMBER(DiffusionCombineBlock, wide),
+                  MEMBER(DiffusionCombineBlock, firstBrick), MEMBER(DiffusionCombineBlock, brickCount),
+                  MEMBER(DiffusionCombineBlock, coarser), MEMBER(DiffusionCombineBlock, pad0)},
+                 sizeof(kernel::DiffusionCombineBlock));
+    expectLayout(diffusion_gather_spv, "DiffusionGatherBlock",
+                 {MEMBER(DiffusionGatherBlock, corner), MEMBER(DiffusionGatherBlock, firstPixel),
+                  MEMBER(DiffusionGatherBlock, pixelCount), MEMBER(DiffusionGatherBlock, level),
+                  MEMBER(DiffusionGatherBlock, known)},
+                 sizeof(kernel::DiffusionGatherBlock));
     expectLayout(filter_spv, "FilterBlock",
                  {MEMBER(FilterBlock, firstPixel), MEMBER(FilterBlock, pixelCount), MEMBER(FilterBlock, level),
                   MEMBER(FilterBlock, normalPower), MEMBER(FilterBlock, depthSigma),
@@ -163,9 +168,9 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
     expectLayout(
         composite_spv, "CompositeBlock",
         {MEMBER(CompositeBlock, pixelCount), MEMBER(CompositeBlock, filtered), MEMBER(CompositeBlock, blendNew),
-         MEMBER(CompositeBlock, blendOriginal), MEMBER(CompositeBlock, translucentWeight), MEMBER(CompositeBlock, area),
-         MEMBER(CompositeBlock, eta), MEMBER(CompositeBlock, translucent), MEMBER(CompositeBlock, firstDrive),
-         MEMBER(CompositeBlock, driveCount), MEMBER(CompositeBlock, pad0), MEMBER(CompositeBlock, pad1)},
+         MEMBER(CompositeBlock, blendOriginal), MEMBER(CompositeBlock, translucentWeight), MEMBER(CompositeBlock, eta),
+         MEMBER(CompositeBlock, translucent), MEMBER(CompositeBlock, firstDrive), MEMBER(CompositeBlock, driveCount),
+         MEMBER(CompositeBlock, pad0), MEMBER(CompositeBlock, pad1), MEMBER(CompositeBlock, pad2)},
         sizeof(kernel::CompositeBlock));
     expectLayout(silhouette_spv, "MixedPixel",
                  {MEMBER(MixedPixel, pixel), MEMBER(MixedPixel, source), MEMBER(MixedPixel, coverage),

@@ -402,7 +402,7 @@ TEST(MaterialJson, TranslucencyByPresetAndByDiffuseColour) {
     EXPECT_EQ(preset.translucency->preset, "marble");
     EXPECT_EQ(preset.translucency->sigmaA, Vector3f(0.0021f, 0.0041f, 0.0071f));  // [JMLH01], figure 5
     EXPECT_EQ(preset.translucency->sigmaSPrime, Vector3f(2.19f, 2.62f, 3.00f));
-    EXPECT_EQ(preset.translucency->eta, 1.3f);
+    EXPECT_EQ(preset.translucency->eta, 1.5f);
 
     const core::Material diffuse = core::materialFromJson(
         R"({"brdf":"none","translucency":{"diffuse_color":[0.8,0.5,0.2],"mean_free_path_mm":[5,2,1],"eta":1.4}})");

@@ -257,6 +257,18 @@ void MaterialPanel::makeTranslucencyGroup() {
     for (const core::TranslucencyPreset& preset : core::translucencyPresets()) {
         preset_->addItem(QCoreApplication::translate("presets", preset.label), QString::fromUtf8(preset.key));
     }
+    scatteringModel_ = new QComboBox(translucency_);
+    scatteringModel_->setObjectName(QStringLiteral("translucencyModel"));
+    scatteringModel_->setAccessibleName(tr("Model"));
+    scatteringModel_->setToolTip(
+        tr("How light spreads: the better dipole is nearer to the truth where much is absorbed"));
+    scatteringModel_->addItem(tr("Dipole"));
+    scatteringModel_->addItem(tr("Better dipole"));
+    diffusionColor_ = new ColorButton(QStringLiteral("translucencyColor"), tr("Colour"), translucency_);
+    diffusionColor_->setToolTip(tr("Colour of a thick piece; changes absorption and scattering"));
+    freePath_ = new VectorEdit(QStringLiteral("translucencyFreePath"), tr("Free path"),
+                               tr("How far light gets below the surface [mm]; changes absorption and scattering"),
+                               0.001, static_cast<double>(core::kLongestFreePath), 3, translucency_);
     sigmaA_ = new VectorEdit(QStringLiteral("translucencySigmaA"), tr("Absorption"),
                              tr("Absorption coefficient [1/mm]"), 0, 100, 4, translucency_);
     sigmaSPrime_ = new VectorEdit(QStringLiteral("translucencySigmaSPrime"), tr("Scattering"),
@@ -297,8 +309,11 @@ void MaterialPanel::makeTranslucencyGroup() {
                                  [](core::Translucency& t, float v) { t.weight = v; });
     auto* layout = new QVBoxLayout(translucency_);
     layout->addWidget(makeRow(tr("Substance"), {preset_}, translucency_));
+    layout->addWidget(makeRow(tr("Colour"), {diffusionColor_}, translucency_));
+    layout->addWidget(freePath_);
     layout->addWidget(sigmaA_);
     layout->addWidget(sigmaSPrime_);
+    layout->addWidget(makeRow(tr("Model"), {scatteringModel_}, translucency_));
     layout->addWidget(translucencyEta_);
     layout->addWidget(translucencyScale_);
     layout->addWidget(translucencyWeight_);
@@ -321,8 +336,30 @@ void MaterialPanel::makeTranslucencyGroup() {
                              t.preset = values.preset;
                              t.sigmaA = values.sigmaA;
                              t.sigmaSPrime = values.sigmaSPrime;
+                             t.eta = values.eta;
                          },
                          {});
+    });
+    connect(scatteringModel_, &QComboBox::activated, this, [this](int index) {
+        editTranslucency(tr("Change scattering model"),
+                         [index](core::Translucency& t) { t.model = static_cast<core::ScatteringModel>(index); }, {});
+    });
+    const auto look = [](core::Translucency& t, const core::Vector3f& color, const core::Vector3f& freePath) {
+        const core::Translucency wanted = core::translucencyFromDiffuse(color, freePath, t.eta, t.model);
+        t.sigmaA = wanted.sigmaA;
+        t.sigmaSPrime = wanted.sigmaSPrime;
+        t.preset.clear();
+    };
+    connect(diffusionColor_, &ColorButton::colorChanged, this, [this, look](const core::Vector3f& value) {
+        editTranslucency(
+            tr("Change diffusion colour"), [&](core::Translucency& t) { look(t, value, core::diffuseMeanFreePath(t)); },
+            "translucencyColor");
+    });
+    connect(diffusionColor_, &ColorButton::editingFinished, &workspace(), &Workspace::endMerge);
+    connect(freePath_, &VectorEdit::valueChanged, this, [this, look](const core::Vector3f& value) {
+        editTranslucency(
+            tr("Change free path"), [&](core::Translucency& t) { look(t, core::diffuseReflectance(t), value); },
+            "translucencyFreePath");
     });
     connect(sigmaA_, &VectorEdit::valueChanged, this, [this](const core::Vector3f& value) {
         editTranslucency(
@@ -342,7 +379,7 @@ void MaterialPanel::makeTranslucencyGroup() {
             },
             "sigmaSPrime");
     });
-    for (VectorEdit* edit : {sigmaA_, sigmaSPrime_}) {
+    for (VectorEdit* edit : {sigmaA_, sigmaSPrime_, freePath_}) {
         connect(edit, &VectorEdit::editingFinished, &workspace(), &Workspace::endMerge);
     }
 }
@@ -552,6 +589,9 @@ void MaterialPanel::refresh() {
     const core::Translucency shown = material.translucency.value_or(core::Translucency());
     const QSignalBlocker blockPreset(preset_);
     preset_->setCurrentIndex(std::max(0, preset_->findData(QString::fromStdString(shown.preset))));
+    scatteringModel_->setCurrentIndex(static_cast<int>(shown.model));
+    diffusionColor_->setColor(core::diffuseReflectance(shown));
+    freePath_->setValue(core::diffuseMeanFreePath(shown));
     sigmaA_->setValue(shown.sigmaA);
     sigmaSPrime_->setValue(shown.sigmaSPrime);
     translucencyEta_->setValue(static_cast<double>(shown.eta));

@@ -90,6 +90,9 @@ class MaterialPanel : public Panel {
     ParamSlider* blendOriginal_ = nullptr;
     QGroupBox* translucency_ = nullptr;
     QComboBox* preset_ = nullptr;
+    QComboBox* scatteringModel_ = nullptr;
+    ColorButton* diffusionColor_ = nullptr;
+    VectorEdit* freePath_ = nullptr;
     VectorEdit* sigmaA_ = nullptr;
     VectorEdit* sigmaSPrime_ = nullptr;
     ParamSlider* translucencyEta_ = nullptr;

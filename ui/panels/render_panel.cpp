@@ -2,6 +2,7 @@
 #include "ui/panels/render_panel.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QSignalBlocker>
@@ -29,6 +30,16 @@ RenderPanel::RenderPanel(Workspace& workspace, QWidget* parent) : Panel(workspac
     irradianceSamples_ =
         addNumber("renderIrradianceSamples", tr("Irradiance rays"), tr("Translucency: light paths per surface point"),
                   1, 4096, [](core::Scene& s, int v) { s.render.irradianceSamples = v; });
+    diffusionQuality_ = new QComboBox(this);
+    diffusionQuality_->setObjectName(QStringLiteral("renderTranslucencyQuality"));
+    diffusionQuality_->setAccessibleName(tr("Quality"));
+    diffusionQuality_->setToolTip(tr("How exactly the light of all surface samples is summed"));
+    for (const QString& title : {tr("Draft"), tr("Standard"), tr("Fine")}) diffusionQuality_->addItem(title);
+    connect(diffusionQuality_, &QComboBox::activated, this, [this](int index) {
+        this->workspace().editScene(tr("Change translucency quality"), [index](core::Scene& scene) {
+            scene.render.diffusionQuality = static_cast<core::DiffusionQuality>(index);
+        });
+    });
     filter_ = new QCheckBox(tr("Smooth noise, keep edges"), this);
     filter_->setObjectName(QStringLiteral("renderFilter"));
     filter_->setToolTip(tr("Edge-aware filter of the new picture, inside each segment"));
@@ -94,6 +105,7 @@ RenderPanel::RenderPanel(Workspace& workspace, QWidget* parent) : Panel(workspac
     auto* translucencyForm = new QFormLayout(translucency);
     translucencyForm->addRow(tr("Surface samples"), surfaceSamples_);
     translucencyForm->addRow(tr("Irradiance rays"), irradianceSamples_);
+    translucencyForm->addRow(tr("Quality"), diffusionQuality_);
     auto* depth = new QGroupBox(tr("Depth"), this);
     auto* depthForm = new QFormLayout(depth);
     depthForm->addRow(depthFilter_);
@@ -143,6 +155,7 @@ void RenderPanel::refresh() {
     show(surfaceSamples_, render.surfaceSamples);
     show(irradianceSamples_, render.irradianceSamples);
     show(holeRadius_, depth.holeRadius);
+    diffusionQuality_->setCurrentIndex(static_cast<int>(render.diffusionQuality));
     filter_->setChecked(render.filter);
     depthFilter_->setChecked(depth.enabled);
     spatialSigma_->setValue(static_cast<double>(depth.spatialSigma));

@@ -4,6 +4,7 @@
 #include "ui/panels/panel.h"
 
 class QCheckBox;
+class QComboBox;
 class QSpinBox;
 
 namespace ui {
@@ -26,6 +27,7 @@ class RenderPanel : public Panel {
     QSpinBox* seed_ = nullptr;
     QSpinBox* surfaceSamples_ = nullptr;
     QSpinBox* irradianceSamples_ = nullptr;
+    QComboBox* diffusionQuality_ = nullptr;
     QCheckBox* filter_ = nullptr;
     QCheckBox* depthFilter_ = nullptr;
     QCheckBox* automatic_ = nullptr;

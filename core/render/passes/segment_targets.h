@@ -15,7 +15,8 @@ struct Targets {
     gpu::Texture filtered;      ///< rgba32float: colour, variance; 1x1 until the filter is used
     gpu::Texture filterPing;    ///< scratch of the filter
     gpu::Texture filterPong;    ///< scratch of the filter
-    gpu::Texture diffusion;     ///< rgba32float: sum of E·R_d, samples in it; 1x1 until a segment is translucent
+    gpu::Texture diffusion;     ///< rgba32float: radiant exitance below the boundary, 1 = known; 1x1 until a segment
+                                ///< is translucent
     gpu::Texture result;        ///< rgba32float: the edited photograph
 };
 

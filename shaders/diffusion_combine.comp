@@ -1,0 +1,35 @@
+#version 450
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A level's part of the sum over all surface samples, added to the next coarser level's, which the two-scale relation
+// of quadratic B-splines brings to this one's cells exactly (core/diffusion_grid.h).
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/list.glsl"
+#include "shaders/shared/diffusion_blocks.h"
+
+layout(local_size_x = 64) in;
+layout(push_constant) uniform Block { DiffusionCombineBlock block; };
+layout(set = 0, binding = DIFFUSION_COMBINE_BRICKS) readonly buffer Bricks { uint words[]; };
+layout(set = 0, binding = DIFFUSION_COMBINE_NARROW) readonly buffer Narrow { vec4 narrow[]; };
+layout(set = 0, binding = DIFFUSION_COMBINE_WIDE) readonly buffer Wide { vec4 wide[]; };
+layout(set = 0, binding = DIFFUSION_COMBINE_SUM) buffer Sum { vec4 sums[]; };
+
+#include "shaders/lib/bricks.glsl"
+
+void main() {
+    uint index = listIndex();
+    if (index >= block.brickCount * DIFFUSION_BRICK_CELLS) return;
+    uint brick = block.firstBrick + index / DIFFUSION_BRICK_CELLS;
+    ivec3 cell = cellOfLane(index % DIFFUSION_BRICK_CELLS);
+    uint parent = brickWord(brick, DIFFUSION_BRICK_PARENT);
+    ivec3 near = 2 * (brickOrigin(brick) & 1) + (cell >> 1);  // the coarse cell this one is in, relative to the parent
+    ivec3 side = 2 * (cell & 1) - 1;                          // to the coarse cell next to it
+    vec3 coarse = vec3(0.0);
+    for (int tap = 0; tap < 8; ++tap) {
+        ivec3 far = ivec3(tap & 1, (tap >> 1) & 1, tap >> 2);
+        vec3 weight = mix(vec3(0.75), vec3(0.25), vec3(far));
+        coarse += weight.x * weight.y * weight.z * sums[cellAround(parent, near + far * side)].rgb;
+    }
+    uint i = cellIn(brick, cell);
+    sums[i] = vec4(block.narrow.rgb * narrow[i].rgb + block.wide.rgb * wide[i].rgb +
+                       sliceValue(block.coarser) * coarse, 0.0);
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The grids that light below a surface is summed on (core/diffusion_grid.h states the method): what the kernels and
+// core share.
+#ifndef PATINA_DIFFUSION_H
+#define PATINA_DIFFUSION_H
+
+#include "shaders/shared/interop.h"
+
+// A brick is 4x4x4 cells of one level. Brick 0 is empty and its own neighbour everywhere. As words (uint):
+#define DIFFUSION_BRICK_NEIGHBOURS 0  // 27 bricks around, x + 3y + 9z, itself in the middle; 0 = none
+#define DIFFUSION_BRICK_PARENT 27     // the brick of the next coarser level that covers it; 0 = none
+#define DIFFUSION_BRICK_CHILDREN 28   // 8 bricks of the next finer level that it covers, x + 2y + 4z; 0 = none
+#define DIFFUSION_BRICK_ORIGIN 36     // x, y, z in bricks of its level
+#define DIFFUSION_BRICK_WORDS 40
+#define DIFFUSION_BRICK_CELLS 64
+
+KERNEL_BEGIN
+
+/// Quadratic B-spline (centred) with cells of width 1.
+KERNEL_FN float diffusion_spline(float t) {
+    float a = max(1.5f - abs(t), 0.0f);
+    float b = max(0.5f - abs(t), 0.0f);
+    return 0.5f * a * a - 1.5f * b * b;
+}
+
+/// A point of the camera's frame in the grids' axes, which are turned so that no plane of a room lies along them: on
+/// such a plane the place relative to cells, which the sum depends on a little, would be the same everywhere.
+KERNEL_FN vec3 diffusion_axes(vec3 p) {
+    return vec3(dot(p, vec3(0.460000000f, -0.290659966f, 0.838997487f)),
+                dot(p, vec3(0.770659966f, 0.600000000f, -0.214670017f)),
+                dot(p, vec3(-0.441002513f, 0.745329983f, 0.500000000f)));
+}
+
+KERNEL_END
+
+#endif
