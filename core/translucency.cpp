@@ -32,20 +32,6 @@ constexpr TranslucencyPreset kPresets[] = {
 
 double coefficient(float value) { return std::isfinite(value) && value > 0 ? static_cast<double>(value) : 0.0; }
 
-/// Mean Fresnel reflectance for diffuse light entering a denser medium: 2 ∫ F(μ) μ dμ.
-double externalDiffuseFresnel(double eta) {
-    constexpr int kSteps = 2000;
-    double sum = 0;
-    for (int i = 0; i < kSteps; ++i) {
-        const double c = (i + 0.5) / kSteps;
-        const double g = std::sqrt(eta * eta - 1 + c * c);
-        const double s = (g - c) / (g + c);
-        const double p = (c * (g + c) - 1) / (c * (g - c) + 1);
-        sum += 0.5 * s * s * (1 + p * p) * c;
-    }
-    return 2 * sum / kSteps;
-}
-
 /// ∫ F(μ) μⁿ dμ over [0, 1] for light that meets the boundary of a medium of relative index `eta` from inside.
 double internalFresnelMoment(double eta, int n) {
     constexpr int kSteps = 4000;
@@ -129,12 +115,7 @@ Translucency toTranslucency(const TranslucencyPreset& preset) {
     return t;
 }
 
-double internalDiffuseFresnel(double eta) {
-    if (eta == 1) return 0;
-    // Entering and leaving are tied by reciprocity: (1 − F_in) η⁻² = 1 − F_out for a denser inside.
-    if (eta > 1) return 1 - (1 - externalDiffuseFresnel(eta)) / (eta * eta);
-    return externalDiffuseFresnel(1 / eta);
-}
+double internalDiffuseFresnel(double eta) { return eta == 1 ? 0 : 2 * internalFresnelMoment(eta, 1); }
 
 DiffuseBoundary diffuseBoundary(ScatteringModel model, double eta) {
     eta = std::isfinite(eta) ? std::clamp(eta, 0.1, 10.0) : 1.0;
