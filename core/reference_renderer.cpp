@@ -286,12 +286,16 @@ ImageRgb ReferenceRenderer::translucentRadiosity(const SurfaceSamples& samples, 
             if (layers_->labels(x, y) != label || !(front.depth(x, y) > 0)) continue;
             const Vector3f p = front.position(x, y);
             Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            Eigen::Vector3d whole = Eigen::Vector3d::Zero();  // of samples that all have an irradiance of 1
             for (std::size_t i = 0; i < irradiance.size(); ++i) {
                 const double r2 = (p - samples.samples[i].position).cast<double>().squaredNorm();
-                for (int c = 0; c < 3; ++c)
-                    sum[c] += profile.evaluate(c, r2) * static_cast<double>(irradiance[i][c] * areas[i]);
+                for (int c = 0; c < 3; ++c) {
+                    const double weight = profile.evaluate(c, r2) * static_cast<double>(areas[i]);
+                    sum[c] += weight * static_cast<double>(irradiance[i][c]);
+                    whole[c] += weight;
+                }
             }
-            result(x, y) = (sum / M_PI).cast<float>();
+            result(x, y) = (sum.cwiseQuotient(whole.cwiseMax(1.0)) / M_PI).cast<float>();
         }
     });
     return result;

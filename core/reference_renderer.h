@@ -49,9 +49,10 @@ namespace core {
 // Irradiance of surface sample i of label l: pixel id = i, seed = rng_stream(seed, 2l+1), ray j is s = j; the same
 // loop with the role kPathEnter at b = 0: cosine-weighted directions, weight F_t(wi.z). Ê = (π/N_rays) Σ radiance.
 //
-// Translucent radiance before the outgoing Fresnel factor: B(p) = (1/π) Σ_i A_i Ê_i R_d(|p − s_i|²) with A_i of
-// sampleAreas (Ã/|S| on average) and the profile blurred to Ã/|S| (kernels sum by grids, core/diffusion_grid.h); L_t =
-// F_t(max(n·wo, 0)) · B with n = shading_normal(n, wo).
+// Translucent radiance before the outgoing Fresnel factor: B(p) = (1/π) Σ_i A_i Ê_i R_d(|p − s_i|²) / max(1, Σ_i A_i
+// R_d) with A_i of sampleAreas (Ã/|S| on average) and the profile blurred to Ã/|S| (kernels sum by grids,
+// core/diffusion_grid.h). R_d is a half space's: summed over a thin or folded body it would reflect more than it receives,
+// and the quotient takes that away. L_t = F_t(max(n·wo, 0)) · B with n = shading_normal(n, wo).
 //
 // Composite, edited segments only, driven weights of the pixel: blendNew · (reshaded + weight · L_t) + blendOriginal ·
 // photo. Then the pixels that show a segment in part, at its outline and up to two pixels outside (core/silhouette.h).

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A level's part of the sum over all surface samples, added to the next coarser level's, which the two-scale relation
 // of quadratic B-splines brings to this one's cells exactly (core/diffusion_grid.h).
+// Light and, as if every sample had an irradiance of 1, area.
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/list.glsl"
 #include "shaders/shared/diffusion_blocks.h"
@@ -24,12 +25,19 @@ void main() {
     ivec3 near = 2 * (brickOrigin(brick) & 1) + (cell >> 1);  // the coarse cell this one is in, relative to the parent
     ivec3 side = 2 * (cell & 1) - 1;                          // to the coarse cell next to it
     vec3 coarse = vec3(0.0);
+    vec3 coarseArea = vec3(0.0);
     for (int tap = 0; tap < 8; ++tap) {
         ivec3 far = ivec3(tap & 1, (tap >> 1) & 1, tap >> 2);
         vec3 weight = mix(vec3(0.75), vec3(0.25), vec3(far));
-        coarse += weight.x * weight.y * weight.z * sums[cellAround(parent, near + far * side)].rgb;
+        float product = weight.x * weight.y * weight.z;
+        uint from = 2u * cellAround(parent, near + far * side);
+        coarse += product * sums[from].rgb;
+        coarseArea += product * sums[from + 1u].rgb;
     }
     uint i = cellIn(brick, cell);
-    sums[i] = vec4(block.narrow.rgb * narrow[i].rgb + block.wide.rgb * wide[i].rgb +
-                       sliceValue(block.coarser) * coarse, 0.0);
+    vec4 n = narrow[i];
+    vec4 w = wide[i];
+    float coarser = sliceValue(block.coarser);
+    sums[2u * i] = vec4(block.narrow.rgb * n.rgb + block.wide.rgb * w.rgb + coarser * coarse, 0.0);
+    sums[2u * i + 1u] = vec4(block.narrow.rgb * n.a + block.wide.rgb * w.a + coarser * coarseArea, 0.0);
 }

@@ -1,6 +1,7 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sum over all surface samples from the grid onto the pixels of a segment (core/diffusion_grid.h).
+// The sum over all surface samples from the grid onto the pixels of a segment (core/diffusion_grid.h), bounded
+// where it would reflect more than it receives.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shaders/lib/pixels.glsl"
@@ -32,11 +33,15 @@ void main() {
     vec3 t = place - vec3(cell) - 0.5;
     vec3 weights[3] = vec3[3](0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t));
     vec3 sum = vec3(0.0);
+    vec3 whole = vec3(0.0);  // of samples that all have an irradiance of 1
     for (int z = 0; z < 3; ++z)
         for (int y = 0; y < 3; ++y) {
             float weight = weights[z].z * weights[y].y;
-            for (int x = 0; x < 3; ++x)
-                sum += (weight * weights[x].x) * sums[cellAround(brick, cell + ivec3(x, y, z) - 1)].rgb;
+            for (int x = 0; x < 3; ++x) {
+                uint from = 2u * cellAround(brick, cell + ivec3(x, y, z) - 1);
+                sum += (weight * weights[x].x) * sums[from].rgb;
+                whole += (weight * weights[x].x) * sums[from + 1u].rgb;
+            }
         }
-    imageStore(diffusionMap, pixel, vec4(max(sum, vec3(0.0)), 1.0));
+    imageStore(diffusionMap, pixel, vec4(max(sum, vec3(0.0)) / max(whole, vec3(1.0)), 1.0));
 }

@@ -13,10 +13,10 @@ layout(set = 0, binding = DIFFUSION_RESTRICT_LIGHT) buffer Light { vec4 light[];
 
 #include "shaders/lib/bricks.glsl"
 
-shared vec3 fine[1000];  // 10x10x10: the eight children's cells and one around them
+shared vec4 fine[1000];  // 10x10x10: the eight children's cells and one around them
 
-vec3 alongX(uint at) { return 0.25 * (fine[at] + fine[at + 3u]) + 0.75 * (fine[at + 1u] + fine[at + 2u]); }
-vec3 alongXY(uint at) { return 0.25 * (alongX(at) + alongX(at + 30u)) + 0.75 * (alongX(at + 10u) + alongX(at + 20u)); }
+vec4 alongX(uint at) { return 0.25 * (fine[at] + fine[at + 3u]) + 0.75 * (fine[at + 1u] + fine[at + 2u]); }
+vec4 alongXY(uint at) { return 0.25 * (alongX(at) + alongX(at + 30u)) + 0.75 * (alongX(at + 10u) + alongX(at + 20u)); }
 
 void main() {
     uint index = listIndex();
@@ -30,12 +30,12 @@ void main() {
         uint parent = brickWord(brick, DIFFUSION_BRICK_NEIGHBOURS + uint(n.x + 3 * n.y + 9 * n.z));
         ivec3 c = child & 1;
         uint source = brickWord(parent, DIFFUSION_BRICK_CHILDREN + uint(c.x + 2 * c.y + 4 * c.z));
-        fine[i] = light[cellIn(source, cell)].rgb;
+        fine[i] = light[cellIn(source, cell)];
     }
     barrier();
     if (brick == 0u) return;
     uvec3 cell = uvec3(cellOfLane(lane));
     uint at = 2u * (cell.x + 10u * cell.y + 100u * cell.z);
-    vec3 sum = 0.25 * (alongXY(at) + alongXY(at + 300u)) + 0.75 * (alongXY(at + 100u) + alongXY(at + 200u));
-    light[brick * DIFFUSION_BRICK_CELLS + lane] = vec4(sum, 0.0);
+    light[brick * DIFFUSION_BRICK_CELLS + lane] =
+        0.25 * (alongXY(at) + alongXY(at + 300u)) + 0.75 * (alongXY(at + 100u) + alongXY(at + 200u));
 }

@@ -14,9 +14,9 @@ layout(set = 0, binding = DIFFUSION_SMOOTH_TO) writeonly buffer To { vec4 to[]; 
 
 #include "shaders/lib/bricks.glsl"
 
-shared vec3 around[512];   // 8x8x8: the brick and two cells around it
-shared vec3 alongX[256];   // 4x8x8
-shared vec3 alongXY[128];  // 4x4x8
+shared vec4 around[512];   // 8x8x8: the brick and two cells around it
+shared vec4 alongX[256];   // 4x8x8
+shared vec4 alongXY[128];  // 4x4x8
 
 void main() {
     uint index = listIndex();
@@ -24,7 +24,7 @@ void main() {
     uint item = index / DIFFUSION_BRICK_CELLS;
     uint brick = item < block.brickCount ? block.firstBrick + item : 0u;
     for (uint i = lane; i < 512u; i += 64u)
-        around[i] = from[cellAround(brick, ivec3(i & 7u, (i >> 3) & 7u, i >> 6) - 2)].rgb;
+        around[i] = from[cellAround(brick, ivec3(i & 7u, (i >> 3) & 7u, i >> 6) - 2)];
     barrier();
     for (uint i = lane; i < 256u; i += 64u) {
         uint at = (i & 3u) + 8u * (i >> 2);
@@ -37,7 +37,7 @@ void main() {
     }
     barrier();
     if (brick == 0u) return;
-    vec3 sum = alongXY[lane] + alongXY[lane + 64u] + 8.0 * (alongXY[lane + 16u] + alongXY[lane + 48u]) +
+    vec4 sum = alongXY[lane] + alongXY[lane + 64u] + 8.0 * (alongXY[lane + 16u] + alongXY[lane + 48u]) +
                18.0 * alongXY[lane + 32u];
-    to[brick * DIFFUSION_BRICK_CELLS + lane] = vec4(sum / 46656.0, 0.0);
+    to[brick * DIFFUSION_BRICK_CELLS + lane] = sum / 46656.0;
 }

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The light of surface samples into the cells of the finest grid (core/diffusion_grid.h). One workgroup per brick.
+// The light of surface samples, and their area, into the cells of the finest grid (core/diffusion_grid.h). One workgroup per brick.
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/list.glsl"
 #include "shaders/shared/diffusion_blocks.h"
@@ -23,13 +23,13 @@ void main() {
     ivec3 cell = cellOfLane(index % DIFFUSION_BRICK_CELLS);
     vec3 center = vec3(4 * brickOrigin(brick) + cell) + 0.5;
     uint end = starts[brick - block.levelFirst + 1u];
-    vec3 sum = vec3(0.0);
+    vec4 sum = vec4(0.0);
     for (uint entry = starts[brick - block.levelFirst]; entry < end; ++entry) {
         uint i = entries[entry];
         vec4 place = places[i];
         vec3 t = place.xyz - center;
         float weight = diffusion_spline(t.x) * diffusion_spline(t.y) * diffusion_spline(t.z);
-        sum += (weight * place.w) * sums[i].rgb;
+        sum += (weight * place.w) * vec4(sums[i].rgb, 1.0);
     }
-    light[cellIn(brick, cell)] = vec4(sliceValue(block.scale) * sum, 0.0);
+    light[cellIn(brick, cell)] = vec4(sliceValue(block.scale) * sum.rgb, sum.a);
 }

@@ -190,13 +190,17 @@ Bench::Error Bench::compare(double* seconds) const {
         const auto y = static_cast<int>(pixel >> 16);
         const core::Vector3f p = analysis.front->position(x, y);
         Eigen::Vector3d truth = Eigen::Vector3d::Zero();
+        Eigen::Vector3d whole = Eigen::Vector3d::Zero();
         for (std::size_t s = 0; s < sums.size(); ++s) {
             const double r2 = (p - samples.samples[s].position).cast<double>().squaredNorm();
-            const Eigen::Vector3d light =
-                Eigen::Vector3f(sums[s].x, sums[s].y, sums[s].z).cast<double>() * static_cast<double>(areas[s]);
-            for (int c = 0; c < 3; ++c) truth[c] += exact.evaluate(c, r2) * light[c];
+            const Eigen::Vector3d light = Eigen::Vector3f(sums[s].x, sums[s].y, sums[s].z).cast<double>();
+            for (int c = 0; c < 3; ++c) {
+                const double weight = exact.evaluate(c, r2) * static_cast<double>(areas[s]);
+                truth[c] += weight * light[c];
+                whole[c] += weight;
+            }
         }
-        truth *= M_PI / kRays;
+        truth = truth.cwiseQuotient(whole.cwiseMax(1.0)) * (M_PI / kRays);
         const float* texel = &result[4 * analysis.front->depth.index(x, y)];
         const std::lock_guard lock(mutex);
         for (int c = 0; c < 3; ++c) {

@@ -11,9 +11,9 @@
 #define DIFFUSION_SPLAT_ENTRIES 2  // uint: samples that reach into a brick
 #define DIFFUSION_SPLAT_PLACES 3   // vec4 per sample: place in cells of the finest level; its area [m^2], 0 = not lit
 #define DIFFUSION_SPLAT_SUMS 4     // vec4 per sample: sum of transmitted radiance
-#define DIFFUSION_SPLAT_LIGHT 5    // vec4 per cell
+#define DIFFUSION_SPLAT_LIGHT 5    // vec4 per cell: light, area
 
-// diffusion_restrict.comp: a grid's light into the next coarser one.
+// diffusion_restrict.comp: a grid's light and area into the next coarser one.
 #define DIFFUSION_RESTRICT_BRICKS 0
 #define DIFFUSION_RESTRICT_LIGHT 1  // vec4 per cell
 
@@ -24,9 +24,9 @@
 
 // diffusion_combine.comp: a level's part of the sum, and what all coarser ones have.
 #define DIFFUSION_COMBINE_BRICKS 0
-#define DIFFUSION_COMBINE_NARROW 1  // vec4 per cell: light, smoothed twice
-#define DIFFUSION_COMBINE_WIDE 2    // vec4 per cell: light, smoothed four times
-#define DIFFUSION_COMBINE_SUM 3     // vec4 per cell
+#define DIFFUSION_COMBINE_NARROW 1  // vec4 per cell: light and area, smoothed twice
+#define DIFFUSION_COMBINE_WIDE 2    // vec4 per cell: light and area, smoothed four times
+#define DIFFUSION_COMBINE_SUM 3     // 2 vec4 per cell: sum of light; of area, which is that of an irradiance of 1
 
 // diffusion_gather.comp: the sum onto pixels.
 #define DIFFUSION_GATHER_BRICKS 0

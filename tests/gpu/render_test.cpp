@@ -306,6 +306,38 @@ TEST(Translucency, MatchesBruteForceInDouble) {
     }
 }
 
+TEST(Translucency, NeverBrighterThanAWhiteSurface) {
+    // Spheres that are one body with gaps and necks, in white light among white things.
+    const Vector3f one(1, 1, 1);
+    const AnalyticScene source = testing_support::makeAnalyticScene(80, 60,
+                                                                    {{Vector3f(-0.12f, 0, 0.9f), 0.1f, 2, one},
+                                                                     {Vector3f(0.1f, 0, 0.9f), 0.1f, 2, one},
+                                                                     {Vector3f(-0.01f, 0.13f, 0.95f), 0.1f, 2, one},
+                                                                     {Vector3f(-0.01f, -0.1f, 0.85f), 0.03f, 2, one}},
+                                                                    0, [&](const Vector3f&) { return one; });
+    core::Material lambert = material("lambert");
+    lambert.albedo = one;
+    const core::ImageRgb white = render::renderImage(device(), edited(source, 2, lambert, 4), source.analysis());
+    for (const bool matched : {true, false}) {
+        core::Material m = marble();
+        m.translucency->sigmaA = Vector3f(0, 0, 0.002f);
+        m.translucency->sigmaSPrime = Vector3f(0.4f, 0.05f, 0.05f);
+        m.translucency->eta = matched ? 1.0f : 1.3f;
+        m.translucency->model = matched ? core::ScatteringModel::Dipole : core::ScatteringModel::BetterDipole;
+        core::Scene scene = edited(source, 2, m, 1);
+        scene.render.surfaceSamples = 1500;
+        scene.render.irradianceSamples = 8;
+        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
+        float largest = 0;
+        for (std::size_t i = 0; i < actual.size(); ++i)
+            if (source.photo->labels[i] == 2) largest = std::max(largest, actual[i].cwiseQuotient(white[i]).maxCoeff());
+        EXPECT_LE(largest, 1 + 1e-4f) << m.translucency->eta;
+        if (matched) {
+            EXPECT_GE(largest, 1 - 1e-4f) << "as bright as white";
+        }
+    }
+}
+
 TEST(Renderer, SameBytesOnAnySchedule) {
     AnalyticScene source = stillLife();
     source.environment->radiance(20, 12) = Vector3f(900, 800, 500);  // sampled by itself

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <memory>
 #include <vector>
 
+#include "shaders/shared/rng.h"
 #include "tests/support/shading_scene.h"
 
 namespace core {
@@ -282,6 +284,58 @@ TEST(ReferenceTranslucency, SphereInUniformLightMatchesTheIntegral) {
         EXPECT_NEAR(sum[c], expected[c], 0.03 * expected[c]) << c;
         EXPECT_LT(sum[c], 1.0f) << "never brighter than white Lambert";
     }
+}
+
+/// A sheet of 2 cm thickness, folded like an accordion.
+test::AnalyticHit foldedSheet(const Vector3f& ray) {
+    constexpr float kPeriod = 0.25f;
+    constexpr float kSlope = 3;
+    const float u = std::abs(ray.x() / kPeriod - std::round(ray.x() / kPeriod));
+    const float slope = (ray.x() / kPeriod > std::round(ray.x() / kPeriod)) ? kSlope : -kSlope;
+    const float z = 1 + kSlope * kPeriod * u;
+    // Along u the surface goes by (z, 0, 0) + slope * ray, along v by (0, z, 0).
+    const Vector3f n = (Vector3f(z, 0, 0) + slope * ray).cross(Vector3f(0, z, 0)).normalized();
+    return {.front = z,
+            .back = z + 0.02f,
+            .frontNormal = n.dot(ray) < 0 ? n : Vector3f(-n),
+            .backNormal = n.dot(ray) < 0 ? Vector3f(-n) : n};
+}
+
+TEST(ReferenceTranslucency, NeverReflectsMoreThanItReceives) {
+    AnalyticScene s(squareCamera(40, 40), foldedSheet);
+    Translucency t;
+    t.sigmaSPrime = Vector3f(0.2f, 0.05f, 0.05f);  // 1/mm
+    t.sigmaA = Vector3f(0, 0, 0.01f);
+    t.eta = 1;
+    s.edit(1, "none").translucency = t;
+    const ReferenceRenderer renderer(s.scene, s.analysis);
+    const SurfaceSamples samples = sampleSurface(*s.analysis, s.scene.photo->labels, 1, 4000, 3);
+    const DiffusionProfile profile = blurred(profileFromTranslucency(t), samples.areaPerSample());
+    const auto brightest = [&](const std::vector<Vector3f>& light) {
+        const ImageRgb b = renderer.translucentRadiosity(samples, light, 1, profile);
+        Vector3f largest = Vector3f::Zero();
+        for (std::size_t i = 0; i < b.size(); ++i) largest = largest.cwiseMax(b[i]);
+        return largest;
+    };
+    // A half space's profile counts light twice here: on both sides of the sheet and across its folds.
+    const std::vector<float> areas = sampleAreas(samples, samples.samples.size());
+    const Vector3f p = s.analysis->front->position(20, 20);
+    double whole = 0;
+    for (std::size_t i = 0; i < areas.size(); ++i)
+        whole += static_cast<double>(areas[i]) *
+                 profile.evaluate(1, static_cast<double>((p - samples.samples[i].position).squaredNorm()));
+    EXPECT_GT(whole, 1.5);
+
+    std::vector<Vector3f> light(areas.size(), Vector3f::Constant(static_cast<float>(M_PI)));
+    const Vector3f uniform = brightest(light);
+    EXPECT_NEAR(uniform.x(), 1, 1e-5f) << "as bright as white, no brighter";
+    EXPECT_NEAR(uniform.y(), 1, 1e-5f);
+    EXPECT_LE(uniform.z(), 1 + 1e-5f);
+    for (std::size_t i = 0; i < light.size(); ++i)
+        light[i] *=
+            samples.samples[i].position.x() > 0 ? 1.0f : kernel::rng_float(static_cast<kernel::uint>(i), 0, 0, 1);
+    const Vector3f uneven = brightest(light);
+    for (int c = 0; c < 3; ++c) EXPECT_LE(uneven[c], 1 + 1e-5f);
 }
 
 TEST(ReferenceTranslucency, FresnelBoundaryDimsLightOnBothWays) {

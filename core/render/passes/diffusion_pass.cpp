@@ -73,16 +73,15 @@ DiffusionGrids DiffusionPass::upload(core::DiffusionGrid grid, const gpu::Buffer
     const gpu::Buffer starts = makeBuffer(device_, "diffusion starts", gpu::BufferUsage::Storage, grid.sampleStarts);
     const gpu::Buffer entries = makeBuffer(device_, "diffusion entries", gpu::BufferUsage::Storage, grid.samples);
     const gpu::Buffer pixels = makeBuffer(device_, "diffusion pixels", gpu::BufferUsage::Storage, grid.pixels);
-    const auto cells = [&](const char* label) {
-        return device_.createBuffer(
-            {.label = label,
-             .size = std::uint64_t{grid.brickCount()} * DIFFUSION_BRICK_CELLS * sizeof(kernel::vec4),
-             .usage = gpu::BufferUsage::Storage});
+    const auto cells = [&](const char* label, std::uint64_t values = 1) {
+        return device_.createBuffer({.label = label,
+                                     .size = values * grid.brickCount() * DIFFUSION_BRICK_CELLS * sizeof(kernel::vec4),
+                                     .usage = gpu::BufferUsage::Storage});
     };
     const gpu::Buffer light = cells("diffusion light");
     const gpu::Buffer narrow = cells("diffusion light, narrow");
     const gpu::Buffer wide = cells("diffusion light, wide");
-    const gpu::Buffer sum = cells("diffusion sum");
+    const gpu::Buffer sum = cells("diffusion sum", 2);
     DiffusionGrids grids;
     grids.places = makeBuffer(device_, "diffusion places", gpu::BufferUsage::Storage, grid.places);
     grids.splat = device_.createBindGroup({.label = "diffusion splat",
@@ -243,9 +242,9 @@ std::uint64_t accessesPerItem(DiffusionStep::Kernel kernel) {
         case DiffusionStep::Kernel::Smooth:
             return 40 * DIFFUSION_BRICK_CELLS;
         case DiffusionStep::Kernel::Combine:
-            return 10 * DIFFUSION_BRICK_CELLS;
+            return 18 * DIFFUSION_BRICK_CELLS;
         case DiffusionStep::Kernel::Gather:
-            return 27;
+            return 54;
     }
     return 1;
 }
