@@ -44,7 +44,7 @@ void ComputePassImpl::prepareDispatch(const ResourceUse* indirect) {
     scope_.requireNoConflict(text("a dispatch of pipeline ", quoted(pipeline->label())));
     scope_.record(encoder->commands());
     const VkCommandBuffer commandBuffer = encoder->commands().vk;
-    vkCmdBindPipeline(commandBuffer, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->vk);
+    vkCmdBindPipeline(commandBuffer, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->compiled());
     bindings.snapshot().record(commandBuffer, VK_PIPELINE_BIND_POINT_COMPUTE);
 }
 
@@ -85,6 +85,7 @@ ComputePassEncoder CommandEncoder::beginComputePass(const ComputePassDescriptor&
 void ComputePassEncoder::setPipeline(const ComputePipeline& pipeline) const {
     record(impl_, [&](detail::ComputePassImpl& pass) {
         detail::ComputePipelineImpl& resolved = detail::resolve(pipeline, *pass.encoder->device(), "compute pipeline");
+        static_cast<void>(resolved.compiled());
         pass.encoder->commands().keep(resolved);
         pass.pipeline = detail::internalReference(resolved);
         pass.bindings.setPipelineLayout(resolved.layout);

@@ -31,10 +31,10 @@ void runThenReady(detail::DeviceImpl& device, F&& call) {
 }
 
 /// Makes an object inside the error scopes; the handle is empty when a scope kept the error.
-template <class H, class Impl, class Descriptor>
-H create(const std::shared_ptr<detail::DeviceImpl>& impl, const Descriptor& descriptor) {
+template <class H, class Impl, class Descriptor, class... Options>
+H create(const std::shared_ptr<detail::DeviceImpl>& impl, const Descriptor& descriptor, Options... options) {
     return deviceOf(impl).guarded(
-        [&] { return H(detail::makeHandle(impl, std::make_shared<Impl>(*impl, descriptor))); });
+        [&] { return H(detail::makeHandle(impl, std::make_shared<Impl>(*impl, descriptor, options...))); });
 }
 
 }  // namespace
@@ -122,8 +122,16 @@ PipelineLayout Device::createPipelineLayout(const PipelineLayoutDescriptor& desc
 }
 
 ComputePipeline Device::createComputePipeline(const ComputePipelineDescriptor& descriptor) const {
-    return create<ComputePipeline, detail::ComputePipelineImpl>(impl_, descriptor);
+    return create<ComputePipeline, detail::ComputePipelineImpl>(impl_, descriptor,
+                                                                detail::ComputePipelineImpl::Compile::Now);
 }
+
+ComputePipeline Device::createComputePipelineAsync(const ComputePipelineDescriptor& descriptor) const {
+    return create<ComputePipeline, detail::ComputePipelineImpl>(impl_, descriptor,
+                                                                detail::ComputePipelineImpl::Compile::InBackground);
+}
+
+bool Device::compiling() const { return deviceOf(impl_).compiler().busy(); }
 
 RenderPipeline Device::createRenderPipeline(const RenderPipelineDescriptor& descriptor) const {
     return create<RenderPipeline, detail::RenderPipelineImpl>(impl_, descriptor);

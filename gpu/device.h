@@ -55,6 +55,11 @@ class Device : public Handle<detail::DeviceImpl> {
     [[nodiscard]] BindGroup createBindGroup(const BindGroupDescriptor& descriptor) const;
     [[nodiscard]] PipelineLayout createPipelineLayout(const PipelineLayoutDescriptor& descriptor) const;
     [[nodiscard]] ComputePipeline createComputePipeline(const ComputePipelineDescriptor& descriptor) const;
+    /// The same, compiled on another thread. A pass that uses it earlier waits for it, and throws what compiling it
+    /// failed with.
+    [[nodiscard]] ComputePipeline createComputePipelineAsync(const ComputePipelineDescriptor& descriptor) const;
+    /// Whether pipelines are being compiled on another thread.
+    [[nodiscard]] bool compiling() const;
     [[nodiscard]] RenderPipeline createRenderPipeline(const RenderPipelineDescriptor& descriptor) const;
     [[nodiscard]] QuerySet createQuerySet(const QuerySetDescriptor& descriptor) const;
     [[nodiscard]] CommandEncoder createCommandEncoder(const CommandEncoderDescriptor& descriptor = {}) const;

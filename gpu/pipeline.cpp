@@ -154,9 +154,9 @@ ShaderModuleImpl& resolveModule(const ShaderModule& handle, const DeviceImpl& de
     return module;
 }
 
-ComputePipelineImpl::ComputePipelineImpl(DeviceImpl& owner, const ComputePipelineDescriptor& descriptor)
+ComputePipelineImpl::ComputePipelineImpl(DeviceImpl& owner, const ComputePipelineDescriptor& descriptor, Compile when)
     : Object(owner, descriptor.label) {
-    const ShaderModuleImpl& module =
+    ShaderModuleImpl& module =
         resolveModule(descriptor.module, owner, ShaderStage::Compute, label(), "compute shader module");
     if (descriptor.layout) {
         layout = internalReference(resolve(descriptor.layout, owner, "pipeline layout"));
@@ -164,7 +164,8 @@ ComputePipelineImpl::ComputePipelineImpl(DeviceImpl& owner, const ComputePipelin
     } else {
         layout = deriveLayout(owner, label(), {&module});
     }
-    const Specialization specialization(descriptor.constants, module, label());
+    source_.reset(new Source{internalReference(module), Specialization(descriptor.constants, module, label())});
+    const Specialization& specialization = source_->specialization;
     for (std::size_t i = 0; i < 3; ++i) {
         workgroupSize[i] = module.reflection.workgroupSize[i];
         const auto& constant = module.reflection.workgroupSizeConstants[i];
@@ -184,15 +185,37 @@ ComputePipelineImpl::ComputePipelineImpl(DeviceImpl& owner, const ComputePipelin
     info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
     info.stage = stageInfo(module, VK_SHADER_STAGE_COMPUTE_BIT, specialization);
     info.layout = layout->vk;
-    owner.check(vkCreateComputePipelines(owner.vk(), owner.pipelineCache(), 1, &info, nullptr, &vk),
-                "vkCreateComputePipelines", label());
-    owner.setName(VK_OBJECT_TYPE_PIPELINE, handleNumber(vk), label());
+    const auto compile = [device = owner.vk(), cache = owner.pipelineCache(), info, pipeline = &vk_] {
+        return vkCreateComputePipelines(device, cache, 1, &info, nullptr, pipeline);
+    };
+    if (when == Compile::InBackground) {
+        compiling_ = owner.compiler().start(compile);
+        return;
+    }
+    result_ = compile();
+    finish();
+    owner.check(result_, "vkCreateComputePipelines", label());
+}
+
+void ComputePipelineImpl::finish() {
+    source_.reset();
+    if (vk_ != VK_NULL_HANDLE) device().setName(VK_OBJECT_TYPE_PIPELINE, handleNumber(vk_), label());
+}
+
+VkPipeline ComputePipelineImpl::compiled() {
+    if (compiling_.valid()) {
+        result_ = compiling_.get();
+        finish();
+    }
+    device().check(result_, "vkCreateComputePipelines", label());
+    return vk_;
 }
 
 void ComputePipelineImpl::release() noexcept {
-    if (vk == VK_NULL_HANDLE) return;
-    vkDestroyPipeline(device().vk(), vk, nullptr);
-    vk = VK_NULL_HANDLE;
+    if (compiling_.valid()) compiling_.wait();
+    if (vk_ == VK_NULL_HANDLE) return;
+    vkDestroyPipeline(device().vk(), vk_, nullptr);
+    vk_ = VK_NULL_HANDLE;
 }
 
 namespace {

@@ -18,13 +18,21 @@ namespace ui {
 
 namespace {
 
-/// Device time a frame may give to the renderer [s] (STYLE section 8).
-constexpr double kFrameBudget = 0.03;
+/// Device time a slice of the renderer's work may take [s] (STYLE section 8).
+constexpr double kSliceBudget = 0.03;
+
+/// How often to ask for work that other threads prepare [ms].
+constexpr int kWaitingInterval = 8;
 
 /// Largest box filter when zoomed out, taps along one side.
 constexpr int kMaxTaps = 8;
 
 }  // namespace
+
+CanvasRenderer::CanvasRenderer(CanvasWindow& window) : window_(window) {
+    poll_.setTimerType(Qt::PreciseTimer);
+    QObject::connect(&poll_, &QTimer::timeout, &poll_, [this] { pollSlice(); });
+}
 
 void CanvasRenderer::initResources() {
     failed_ = false;
@@ -85,6 +93,7 @@ void CanvasRenderer::physicalDeviceLost() {
 }
 
 void CanvasRenderer::drop() {
+    poll_.stop();
     renderer_.reset();
     rendererPhoto_.reset();
     progress_ = {};
@@ -117,6 +126,7 @@ void CanvasRenderer::drop() {
         }
     }
     device_ = {};
+    slicePending_ = false;
 }
 
 void CanvasRenderer::fail(const QString& sentence) {
@@ -134,16 +144,56 @@ void CanvasRenderer::retry() {
 
 void CanvasRenderer::startNextFrame() {
     drawn_ = false;
-    if (!failed_ && device_) {
-        try {
-            recordFrame();
-        } catch (const std::exception& error) {
-            fail(QString::fromUtf8(error.what()));
-        }
-    }
+    attempt([this] { recordFrame(); });
     if (!drawn_) clear();
     window_.frameReady();
     emit window_.framePresented();
+    attempt([this] { startSlice(); });
+}
+
+void CanvasRenderer::attempt(const std::function<void()>& work) {
+    if (failed_ || !device_) return;
+    try {
+        work();
+    } catch (const std::exception& error) {
+        fail(QString::fromUtf8(error.what()));
+    }
+}
+
+void CanvasRenderer::startSlice() {
+    if (slicePending_) return;
+    const CanvasState& state = window_.state();
+    if (state.scene != nullptr && sceneStale_) {
+        if (renderer_ == nullptr) renderer_ = std::make_unique<render::Renderer>(device_);
+        renderer_->setScene(*state.scene, state.analysis);
+        sceneStale_ = false;
+    }
+    if (renderer_ == nullptr || state.paused) return;
+    gpu::CommandEncoder encoder = device_.createCommandEncoder({.label = "slice"});
+    frameWanted_ = renderer_->record(encoder, kSliceBudget);
+    encoder.onCompleted([this] { slicePending_ = false; });
+    device_.queue().submit(encoder.finish());
+    slicePending_ = true;
+    hasResult_ = static_cast<bool>(renderer_->result());
+    progress_ = renderer_->progress();
+    emit window_.progressChanged();
+    poll_.start(progress_.waiting ? kWaitingInterval : 1);
+}
+
+void CanvasRenderer::pollSlice() {
+    attempt([this] { device_.tick(); });
+    if (slicePending_ && !failed_) return;
+    poll_.stop();
+    if (progress_.waiting && !frameHeld_)
+        attempt([this] { startSlice(); });
+    else if ((frameWanted_ || frameHeld_) && window_.isExposed())
+        window_.requestUpdate();
+    frameHeld_ = false;
+}
+
+bool CanvasRenderer::holdFrame() {
+    frameHeld_ = frameHeld_ || slicePending_;
+    return slicePending_;
 }
 
 void CanvasRenderer::clear() {
@@ -165,7 +215,6 @@ void CanvasRenderer::recordFrame() {
     const CanvasState& state = window_.state();
     const gpu::CommandEncoder encoder =
         device_.beginAdoptedFrame(window_.currentCommandBuffer(), static_cast<std::uint32_t>(window_.currentFrame()));
-    bool busy = false;
     if (state.photo != rendererPhoto_) {
         // Another photograph: nothing of the old picture may be shown.
         renderer_.reset();
@@ -173,18 +222,6 @@ void CanvasRenderer::recordFrame() {
         hasResult_ = false;
         progress_ = {};
         sceneStale_ = true;
-    }
-    if (state.scene != nullptr && sceneStale_) {
-        if (renderer_ == nullptr) renderer_ = std::make_unique<render::Renderer>(device_);
-        renderer_->setScene(*state.scene, state.analysis);
-        sceneStale_ = false;
-    }
-    if (renderer_ != nullptr && !state.paused) {
-        gpu::CommandEncoder recording = encoder;
-        busy = renderer_->record(recording, kFrameBudget);
-        hasResult_ = true;
-        progress_ = renderer_->progress();
-        emit window_.progressChanged();
     }
     updateLabels();
     updateMask();
@@ -199,7 +236,7 @@ void CanvasRenderer::recordFrame() {
                             probePending_ = false;
                         });
     }
-    if (busy || probePending_ || probeWanted_) window_.requestUpdate();
+    if (probePending_ || probeWanted_) window_.requestUpdate();
 }
 
 void CanvasRenderer::updateLabels() {

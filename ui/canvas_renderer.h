@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QTimer>
 #include <QVulkanWindowRenderer>
+#include <functional>
 #include <map>
 #include <memory>
 #include <utility>
@@ -15,9 +17,13 @@ namespace ui {
 
 /// The device side of the canvas: the window's device as gpu::Device, the progressive renderer on it, one draw a frame.
 /// Everything here can be lost and is made again from CanvasState.
+///
+/// Presenting a frame waits for everything submitted before it, on some drivers in the calling thread. So the
+/// renderer's work is no part of a frame: a frame is drawn, a slice of work is submitted, and the next frame is asked
+/// for when the slice has completed. Between the two the window's thread is free.
 class CanvasRenderer : public QVulkanWindowRenderer {
   public:
-    explicit CanvasRenderer(CanvasWindow& window) : window_(window) {}
+    explicit CanvasRenderer(CanvasWindow& window);
 
     void initResources() override;
     void releaseResources() override;
@@ -30,6 +36,8 @@ class CanvasRenderer : public QVulkanWindowRenderer {
     [[nodiscard]] bool upToDate() const { return !sceneStale_ && hasResult_; }
     /// Forgets a failure, for example memory that a smaller photograph does not need.
     void retry();
+    /// True while a slice is in work: a frame begun now would wait for it, so it is begun afterwards.
+    [[nodiscard]] bool holdFrame();
     /// Reads the result under the cursor with the next frame; the answer comes as CanvasWindow::cursorMoved.
     void probeCursor();
 
@@ -38,6 +46,10 @@ class CanvasRenderer : public QVulkanWindowRenderer {
 
   private:
     void recordFrame();
+    void startSlice();
+    void pollSlice();
+    /// Runs `work` unless the canvas has failed; what it throws is a failure.
+    void attempt(const std::function<void()>& work);
     void updateLabels();
     void updateMask();
     void recordProbe(const gpu::CommandEncoder& encoder);
@@ -68,6 +80,10 @@ class CanvasRenderer : public QVulkanWindowRenderer {
     std::unique_ptr<render::Renderer> renderer_;
     std::shared_ptr<const core::Photo> rendererPhoto_;
     render::Renderer::Progress progress_;
+    QTimer poll_;                ///< runs while a slice is in work
+    bool slicePending_ = false;  ///< a slice is in work on the device
+    bool frameWanted_ = false;   ///< the slice changes the picture
+    bool frameHeld_ = false;     ///< a frame was asked for while the slice was in work
     bool sceneStale_ = true;
     bool hasResult_ = false;
     bool failed_ = false;

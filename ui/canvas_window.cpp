@@ -22,7 +22,8 @@ QVulkanWindowRenderer* CanvasWindow::createRenderer() {
 }
 
 void CanvasWindow::redraw() {
-    if (isExposed()) requestUpdate();
+    if (!isExposed() || (renderer_ != nullptr && renderer_->holdFrame())) return;
+    requestUpdate();
 }
 
 void CanvasWindow::updateSizes() {

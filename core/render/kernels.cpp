@@ -31,11 +31,11 @@ void BrdfPipeline::use(std::uint32_t brdfs, bool driven, std::shared_ptr<const s
     }
     chosen_ = {brdfs, driven};
     if (pipelines_.contains(chosen_)) return;
-    pipelines_[chosen_] =
-        device_.createComputePipeline({.label = label_,
-                                       .layout = layout_,
-                                       .module = brdfs >> BRDF_USER != 0 ? userModule_ : module_,
-                                       .constants = {{"0", static_cast<double>(brdfs)}, {"1", driven ? 1.0 : 0.0}}});
+    pipelines_[chosen_] = device_.createComputePipelineAsync(
+        {.label = label_,
+         .layout = layout_,
+         .module = brdfs >> BRDF_USER != 0 ? userModule_ : module_,
+         .constants = {{"0", static_cast<double>(brdfs)}, {"1", driven ? 1.0 : 0.0}}});
 }
 
 gpu::ComputePipeline makePipeline(const gpu::Device& device, const std::string& label,
@@ -44,7 +44,7 @@ gpu::ComputePipeline makePipeline(const gpu::Device& device, const std::string& 
     const gpu::PipelineLayout layout = device.createPipelineLayout(
         {.label = label, .bindGroupLayouts = std::move(groups), .pushConstantSize = pushConstantSize});
     const gpu::ShaderModule module = device.createShaderModule({.label = label, .code = code});
-    return device.createComputePipeline({.label = label, .layout = layout, .module = module});
+    return device.createComputePipelineAsync({.label = label, .layout = layout, .module = module});
 }
 
 gpu::BindGroupLayout makeLayout(const gpu::Device& device, const std::string& label,

@@ -7,6 +7,7 @@
 #include <future>
 #include <iterator>
 #include <limits>
+#include <thread>
 #include <utility>
 
 #include "core/brdf.h"
@@ -39,6 +40,9 @@ constexpr std::uint32_t kMaxPathsPerDispatch = 16;  // per pixel: bounds what on
 // What starting this kernel costs a software driver is as much as these paths; smaller slices would mean only that.
 constexpr std::uint64_t kMinIrradiancePaths = 4096;
 constexpr std::uint64_t kMinAccesses = 200000;  // likewise
+
+// For how long a call that could only wait for other threads does so [s]: too short to be felt in a window.
+constexpr double kBackgroundWait = 2e-3;
 
 enum class Task { None, Reshade, Filter, Irradiance, Gather };
 
@@ -104,6 +108,7 @@ struct Renderer::Impl {
     bool environmentStale = false;
     bool shadingStale = false;
     bool resultStale = false;  ///< the photograph has to be copied in again
+    bool waiting = false;      ///< the last `record` could only wait for other threads
     PathInputs paths;
     Targets targets;
     std::vector<SegmentState> segments;  ///< edited ones, by label
@@ -119,7 +124,9 @@ struct Renderer::Impl {
     void prepareGather(const gpu::CommandEncoder& encoder, SegmentState& state);
 
     bool record(gpu::CommandEncoder& encoder, double budgetSeconds);
-    void waitForKernels(const gpu::CommandEncoder& encoder);
+    [[nodiscard]] bool kernelsReady(double seconds);
+    void useKernels();
+    void keepPicture(const gpu::CommandEncoder& encoder);
     [[nodiscard]] std::pair<SegmentState*, Task> nextTask();
     [[nodiscard]] bool wantsFilter(const SegmentState& state) const;
     double recordReshade(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds);
@@ -287,18 +294,6 @@ void Renderer::Impl::upload() {
         paths.drives = driveBuffers.drives();
         paths.driveValues = driveBuffers.values();
         shadingStale = false;
-    }
-    if (!segments.empty()) {
-        std::uint32_t brdfs = 0;
-        for (const kernel::SegmentShading& entry : shading) brdfs |= 1u << entry.brdf.type;
-        const auto& user = userKernels.code();
-        const auto part = [&](auto member) {
-            using Code = const std::vector<std::uint32_t>;
-            return user ? std::shared_ptr<Code>(user, &(*user.*member)) : nullptr;
-        };
-        reshade.useBrdfs(brdfs, !drives.empty(), part(&UserKernels::Code::reshade));
-        if (std::any_of(segments.begin(), segments.end(), [](const SegmentState& s) { return s.translucent(); }))
-            translucency.useBrdfs(brdfs, !drives.empty(), part(&UserKernels::Code::irradiance));
     }
     paths.measured = measured.buffer(device);
     prepareTargets();
@@ -630,7 +625,7 @@ void Renderer::Impl::recordComposite(const gpu::CommandEncoder& encoder, Segment
 bool Renderer::Impl::awaitPoints(double seconds) {
     for (SegmentState& state : segments) {
         if (!state.translucent() || !state.pendingPoints.valid()) continue;
-        state.pendingPoints.wait_for(std::chrono::duration<double>(std::min(seconds, kMaxSliceSeconds)));
+        state.pendingPoints.wait_for(std::chrono::duration<double>(seconds));
         return true;
     }
     return false;
@@ -651,22 +646,47 @@ void Renderer::Impl::recordDroppedReadback(const gpu::CommandEncoder& encoder) {
     });
 }
 
+/// Chooses the kernels for the BRDFs in use; what has not been compiled yet starts being compiled.
+void Renderer::Impl::useKernels() {
+    if (segments.empty()) return;
+    std::uint32_t brdfs = 0;
+    for (const kernel::SegmentShading& entry : shading) brdfs |= 1u << entry.brdf.type;
+    const auto& user = userKernels.code();
+    const auto part = [&](auto member) {
+        using Code = const std::vector<std::uint32_t>;
+        return user ? std::shared_ptr<Code>(user, &(*user.*member)) : nullptr;
+    };
+    reshade.useBrdfs(brdfs, !drives.empty(), part(&UserKernels::Code::reshade));
+    if (std::any_of(segments.begin(), segments.end(), [](const SegmentState& s) { return s.translucent(); }))
+        translucency.useBrdfs(brdfs, !drives.empty(), part(&UserKernels::Code::irradiance));
+}
+
+/// Waits a little for what is compiled on other threads.
+bool Renderer::Impl::kernelsReady(double seconds) {
+    if (!userKernels.ready(seconds)) return false;
+    useKernels();
+    if (device.compiling()) std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    return !device.compiling();
+}
+
 /// Until the kernels of the edits are compiled, the picture stays, or is the photograph when there is none.
-void Renderer::Impl::waitForKernels(const gpu::CommandEncoder& encoder) {
-    if (targets.result && !layersStale) return;
-    std::vector<SegmentState> waiting = std::exchange(segments, {});
+void Renderer::Impl::keepPicture(const gpu::CommandEncoder& encoder) {
+    if ((targets.result && !layersStale) || device.compiling()) return;
+    std::vector<SegmentState> kept = std::exchange(segments, {});
     upload();
     geometry.record(encoder);
     encoder.copyTextureToTexture({.texture = geometry.photo()}, {.texture = targets.result},
                                  {geometry.width(), geometry.height()});
-    segments = std::move(waiting);
+    segments = std::move(kept);
 }
 
 bool Renderer::Impl::record(gpu::CommandEncoder& encoder, double budgetSeconds) {
     if (!analysis) return false;
     timer.collect();
-    if (!userKernels.ready(budgetSeconds)) {
-        waitForKernels(encoder);
+    const double patience = std::min(budgetSeconds, kBackgroundWait);
+    waiting = !kernelsReady(patience);
+    if (waiting) {
+        keepPicture(encoder);
         return true;
     }
     upload();
@@ -710,7 +730,7 @@ bool Renderer::Impl::record(gpu::CommandEncoder& encoder, double budgetSeconds) 
         recordComposite(encoder, state);
         worked = true;
     }
-    if (!worked) worked = awaitPoints(budgetSeconds);
+    if (!worked) worked = waiting = awaitPoints(patience);
     if (dropped->pending) return worked || dropped->dirty;
     if (dropped->dirty) recordDroppedReadback(encoder);
     return worked;
@@ -734,6 +754,7 @@ Renderer::Progress Renderer::progress() const {
     Progress progress;
     progress.target = impl_->scene.render.samples;
     progress.samples = progress.target;
+    progress.waiting = impl_->waiting;
     progress.droppedSamples = impl_->dropped->value;
     progress.finished = impl_->analysis && impl_->nextTask().second == Task::None && !impl_->resultStale;
     double sum = 0;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <future>
 #include <map>
 #include <memory>
 #include <string>
@@ -112,13 +113,29 @@ class Specialization {
 
 class ComputePipelineImpl final : public Object {
   public:
-    ComputePipelineImpl(DeviceImpl& device, const ComputePipelineDescriptor& descriptor);
+    enum class Compile { Now, InBackground };
+    ComputePipelineImpl(DeviceImpl& device, const ComputePipelineDescriptor& descriptor, Compile when);
     ~ComputePipelineImpl() override { release(); }
     void release() noexcept override;
 
-    VkPipeline vk = VK_NULL_HANDLE;
+    /// Waits for a pipeline that is being compiled. Throws what compiling it failed with.
+    [[nodiscard]] VkPipeline compiled();
+
     std::shared_ptr<PipelineLayoutImpl> layout;
     std::array<std::uint32_t, 3> workgroupSize = {1, 1, 1};
+
+  private:
+    /// What the compiler reads; lives until it is done.
+    struct Source {
+        std::shared_ptr<ShaderModuleImpl> module;
+        Specialization specialization;
+    };
+    void finish();
+
+    VkPipeline vk_ = VK_NULL_HANDLE;
+    std::unique_ptr<const Source> source_;
+    std::future<VkResult> compiling_;  ///< valid until the result has been taken
+    VkResult result_ = VK_SUCCESS;
 };
 
 class RenderPipelineImpl final : public Object {

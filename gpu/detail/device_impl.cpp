@@ -60,6 +60,7 @@ DeviceImpl::DeviceImpl(Source source)
 
 DeviceImpl::~DeviceImpl() {
     if (!destroyed_) {
+        compiler_.stop();
         vkDeviceWaitIdle(vk());
         waiters_.clear();
         ready_.clear();
@@ -147,6 +148,7 @@ void DeviceImpl::abandonAll() {
 
 void DeviceImpl::destroy() {
     if (destroyed_) return;
+    compiler_.stop();
     vkDeviceWaitIdle(vk());
     for (Submission& submission : inFlight_) {
         for (const auto& commandBuffer : submission.commandBuffers) complete(*commandBuffer);

@@ -17,6 +17,7 @@
 #include "gpu/adapter.h"
 #include "gpu/detail/instance_impl.h"
 #include "gpu/detail/object.h"
+#include "gpu/detail/pipeline_compiler.h"
 #include "gpu/device.h"
 
 namespace gpu::detail {
@@ -71,6 +72,7 @@ class DeviceImpl : public std::enable_shared_from_this<DeviceImpl> {
     [[nodiscard]] std::uint64_t allocatedBytes() const { return allocatedBytes_; }
     [[nodiscard]] std::uint32_t timestampBits() const { return timestampBits_; }
     [[nodiscard]] VkPipelineCache pipelineCache() const { return pipelineCache_; }
+    [[nodiscard]] PipelineCompiler& compiler() { return compiler_; }
 
     /// Throws when the device is lost or destroyed.
     void requireUsable() const;
@@ -178,6 +180,7 @@ class DeviceImpl : public std::enable_shared_from_this<DeviceImpl> {
     VkPhysicalDeviceMemoryProperties memory_ = {};
     VkCommandPool commandPool_ = VK_NULL_HANDLE;
     VkPipelineCache pipelineCache_ = VK_NULL_HANDLE;
+    PipelineCompiler compiler_;
     std::vector<VkDescriptorPool> descriptorPools_;
     std::vector<VkFence> freeFences_;
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Kernels that need the encoder's barriers: each result is compared with plain C++.
 #include <array>
+#include <chrono>
 #include <numeric>
 #include <random>
+#include <thread>
 
 #include "kernels/test_affine.h"
 #include "kernels/test_feedback.h"
@@ -16,6 +18,7 @@ namespace {
 
 using gpu::BufferUsage;
 using gpu::TextureUsage;
+using gpu_test::context;
 using gpu_test::GpuTest;
 
 class GpuCompute : public GpuTest {};
@@ -327,6 +330,50 @@ TEST_F(GpuCompute, DynamicOffsetsPickThePartOfABuffer) {
         });
         EXPECT_EQ(gpu::readBuffer<std::uint32_t>(device, target, 0, 1)[0], i == 0 ? 11u : 19u);
     }
+}
+
+TEST_F(GpuCompute, PipelinesCompileInTheBackground) {
+    const std::vector<std::uint32_t> values = randomValues(1000, 1000);
+    const gpu::ShaderModule module = device.createShaderModule({.label = "sum", .code = test_sum_spv});
+    gpu_test::expectRejected(
+        [&] {
+            static_cast<void>(device.createComputePipelineAsync(
+                {.label = "sum", .module = module, .constants = {{.key = "no such", .value = 1}}}));
+        },
+        {"\"sum\"", "no such"});
+    std::vector<gpu::ComputePipeline> pipelines;
+    for (int i = 0; i < 8; ++i)
+        pipelines.push_back(device.createComputePipelineAsync({.label = "sum", .module = module}));
+    const gpu::ComputePipeline last = pipelines.back();
+    pipelines.clear();
+    // Used at once: recording waits for it.
+    const gpu::Buffer sums =
+        device.createBuffer({.label = "sums", .size = 64, .usage = BufferUsage::Storage | BufferUsage::CopySrc});
+    const gpu::BindGroup group = device.createBindGroup(
+        {.label = "sum",
+         .layout = last.getBindGroupLayout(0),
+         .entries = {{.binding = 0, .buffer = bufferOf("values", values)}, {.binding = 1, .buffer = sums}}});
+    run([&](const gpu::CommandEncoder& encoder) {
+        const auto pass = encoder.beginComputePass({.label = "sum"});
+        pass.setPipeline(last);
+        pass.setBindGroup(0, group);
+        pass.setPushConstants(static_cast<std::uint32_t>(values.size()));
+        pass.dispatchWorkgroups(16);
+        pass.end();
+    });
+    std::vector<std::uint32_t> expected(16, 0);
+    for (const std::uint32_t value : values) expected[value % 16] += value;
+    EXPECT_EQ(gpu::readBuffer<std::uint32_t>(device, sums, 0, 16), expected);
+    for (int i = 0; i < 1000 && device.compiling(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_FALSE(device.compiling());
+
+    // A device may be destroyed meanwhile: what has not begun is never compiled.
+    const gpu::Device other = context().adapter.requestDevice({.label = "short-lived"});
+    const gpu::ShaderModule its = other.createShaderModule({.label = "sum", .code = test_sum_spv});
+    for (int i = 0; i < 100; ++i)
+        pipelines.push_back(other.createComputePipelineAsync({.label = "sum", .module = its}));
+    other.destroy();
+    gpu_test::expectRejected([&] { static_cast<void>(other.createCommandEncoder()); }, {"destroyed"});
 }
 
 }  // namespace

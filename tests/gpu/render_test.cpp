@@ -442,7 +442,7 @@ TEST(Renderer, RestartsOnlyWhatAnEditInvalidates) {
     }
 }
 
-TEST(Renderer, ShowsAPictureAfterTheFirstRecord) {
+TEST(Renderer, ShowsAPictureWithTheFirstSlice) {
     const AnalyticScene source = stillLife();
     render::Renderer renderer(device());
     gpu::CommandEncoder idle = device().createCommandEncoder({.label = "idle"});
@@ -450,10 +450,13 @@ TEST(Renderer, ShowsAPictureAfterTheFirstRecord) {
     device().queue().submit(idle.finish());
 
     renderer.setScene(edited(source, 2, ggx(0.2f), 64), source.analysis());
-    gpu::CommandEncoder encoder = device().createCommandEncoder({.label = "first"});
-    EXPECT_TRUE(renderer.record(encoder, 0.03));
-    device().queue().submit(encoder.finish());
-    device().waitIdle();
+    EXPECT_FALSE(renderer.result());
+    do {
+        gpu::CommandEncoder encoder = device().createCommandEncoder({.label = "first"});
+        ASSERT_TRUE(renderer.record(encoder, 0.03));
+        device().queue().submit(encoder.finish());
+        device().waitIdle();
+    } while (renderer.progress().waiting);
     const auto picture = pixels(renderer);
     ASSERT_EQ(picture.size(), source.photo->color.size() * 4);
     std::size_t changed = 0;

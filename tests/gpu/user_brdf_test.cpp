@@ -173,6 +173,8 @@ TEST_F(UserBrdf, KeepsThePictureUntilAnotherIsCompiled) {
     const auto differ = [&](const core::ImageRgb& a, const core::ImageRgb& b) {
         return !std::equal(a.pixels().begin(), a.pixels().end(), b.pixels().begin());
     };
+    renderer.setScene(scene, source.analysis());
+    EXPECT_FALSE(differ(finish(), source.photo->color));
     edit(kMattBrdf);
     renderer.setScene(scene, source.analysis());
     ASSERT_TRUE(record(0));
