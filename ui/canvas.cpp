@@ -169,6 +169,7 @@ void Canvas::setScene(const core::Scene& scene, std::shared_ptr<const core::Anal
     if (window_ == nullptr) return;
     window_->state().scene = std::make_shared<const core::Scene>(scene);
     window_->state().analysis = std::move(analysis);
+    ++window_->state().sceneNumber;
     if (window_->renderer() != nullptr) window_->renderer()->sceneChanged();
     // Another edit may be one that the device survives.
     if (restarts_ > kMaxRestarts) QTimer::singleShot(kRestartDelay, this, &Canvas::restart);
@@ -251,6 +252,12 @@ QPointF Canvas::widgetPosition(int x, int y) const {
 render::Renderer::Progress Canvas::progress() const {
     return window_ != nullptr && window_->renderer() != nullptr ? window_->renderer()->progress()
                                                                 : render::Renderer::Progress();
+}
+
+std::uint64_t Canvas::sceneNumber() const { return window_ != nullptr ? window_->state().sceneNumber : 0; }
+
+std::uint64_t Canvas::shownScene() const {
+    return window_ != nullptr && window_->renderer() != nullptr ? window_->renderer()->shownScene() : 0;
 }
 
 bool Canvas::upToDate() const {

@@ -82,6 +82,9 @@ class Canvas : public QWidget {
     [[nodiscard]] render::Renderer::Progress progress() const;
     /// Whether the renderer has begun with the latest scene; `progress` speaks of that scene then.
     [[nodiscard]] bool upToDate() const;
+    /// How many scenes were set, and which of them the last frame showed first results of.
+    [[nodiscard]] std::uint64_t sceneNumber() const;
+    [[nodiscard]] std::uint64_t shownScene() const;
 
     [[nodiscard]] QSize sizeHint() const override { return {960, 640}; }
 

@@ -149,6 +149,7 @@ void CanvasRenderer::startNextFrame() {
     window_.frameReady();
     emit window_.framePresented();
     attempt([this] { startSlice(); });
+    if (frameHeld_ && !slicePending_) window_.requestUpdate();
 }
 
 void CanvasRenderer::attempt(const std::function<void()>& work) {
@@ -166,6 +167,7 @@ void CanvasRenderer::startSlice() {
     if (state.scene != nullptr && sceneStale_) {
         if (renderer_ == nullptr) renderer_ = std::make_unique<render::Renderer>(device_);
         renderer_->setScene(*state.scene, state.analysis);
+        renderedScene_ = state.sceneNumber;
         sceneStale_ = false;
     }
     if (renderer_ == nullptr || state.paused) return;
@@ -227,6 +229,7 @@ void CanvasRenderer::recordFrame() {
     updateMask();
     recordProbe(encoder);
     draw(encoder);
+    if (hasResult_ && !progress_.waiting) shownScene_ = renderedScene_;
     encoder.finish();
     if (probePending_ && probe_.mapState() == gpu::BufferMapState::Unmapped) {
         const QPoint cursor = state.cursor;
@@ -236,7 +239,7 @@ void CanvasRenderer::recordFrame() {
                             probePending_ = false;
                         });
     }
-    if (probePending_ || probeWanted_) window_.requestUpdate();
+    frameHeld_ = probePending_ || probeWanted_;
 }
 
 void CanvasRenderer::updateLabels() {

@@ -34,6 +34,7 @@ class CanvasRenderer : public QVulkanWindowRenderer {
     /// The scene in the state changed.
     void sceneChanged() { sceneStale_ = true; }
     [[nodiscard]] bool upToDate() const { return !sceneStale_ && hasResult_; }
+    [[nodiscard]] std::uint64_t shownScene() const { return shownScene_; }
     /// Forgets a failure, for example memory that a smaller photograph does not need.
     void retry();
     /// True while a slice is in work: a frame begun now would wait for it, so it is begun afterwards.
@@ -83,8 +84,10 @@ class CanvasRenderer : public QVulkanWindowRenderer {
     QTimer poll_;                ///< runs while a slice is in work
     bool slicePending_ = false;  ///< a slice is in work on the device
     bool frameWanted_ = false;   ///< the slice changes the picture
-    bool frameHeld_ = false;     ///< a frame was asked for while the slice was in work
+    bool frameHeld_ = false;     ///< another frame was asked for, to be begun when no slice is in work
     bool sceneStale_ = true;
+    std::uint64_t renderedScene_ = 0;  ///< CanvasState::sceneNumber of the renderer's scene
+    std::uint64_t shownScene_ = 0;
     bool hasResult_ = false;
     bool failed_ = false;
     bool drawn_ = false;

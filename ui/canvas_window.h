@@ -20,6 +20,7 @@ struct CanvasState {
     ViewLayer layer = ViewLayer::Result;
     std::shared_ptr<const core::Scene> scene;  ///< nullptr until there is an analysis
     std::shared_ptr<const core::Analysis> analysis;
+    std::uint64_t sceneNumber = 0;  ///< counts the scenes that were set
     bool paused = false;
     std::uint16_t selected = 0;
     QRect selectedBounds;  ///< smallest rectangle around the selected segment [picture pixels]

@@ -50,15 +50,15 @@ class Renderer {
         int target = 0;
         bool finished = false;
         bool waiting = false;  ///< the last `record` changed nothing: kernels or samples are made on other threads
-        float fraction = 0;                ///< of all work, [0, 1]
+        float fraction = 0;    ///< of all work, [0, 1]
         std::uint64_t droppedSamples = 0;  ///< NaN or Inf paths left out, as far as the device has reported; must be 0
         std::vector<SegmentProgress> segments;  ///< the edited segments, by label
     };
     [[nodiscard]] Progress progress() const;
 
     /// The edited photograph so far: rgba32float, scene-linear, the photo's size, usages TextureBinding and CopySrc.
-    /// An empty handle until the kernels are compiled, which `record` does not wait for; another texture when the photo's
-    /// size changes.
+    /// An empty handle until the kernels are compiled, which `record` does not wait for; another texture when the
+    /// photo's size changes.
     [[nodiscard]] gpu::Texture result() const;
 
   private:

@@ -12,7 +12,9 @@
 #include <QTemporaryDir>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 #include "tests/ui/stall_meter.h"
@@ -72,15 +74,18 @@ int run(const Options& options) {
     QElapsedTimer clock;
     clock.start();
     const auto now = [&] { return static_cast<double>(clock.nsecsElapsed()) * 1e-6; };
-    std::vector<double> waiting;  // times of changes not yet shown [ms]
+    std::vector<std::pair<std::uint64_t, double>> waiting;  // changes not yet shown: scene, time [ms]
     std::vector<double> latencies;
     int frames = 0;
-    QObject::connect(slider, &QSlider::valueChanged, slider, [&] { waiting.push_back(now()); });
+    QObject::connect(slider, &QSlider::valueChanged, slider,
+                     [&] { waiting.emplace_back(window.canvas().sceneNumber(), now()); });
     QObject::connect(&window.canvas(), &ui::Canvas::framePresented, &window, [&] {
         ++frames;
-        if (!window.canvas().upToDate()) return;
-        for (const double time : waiting) latencies.push_back(now() - time);
-        waiting.clear();
+        std::erase_if(waiting, [&](const auto& change) {
+            const bool shown = change.first <= window.canvas().shownScene();
+            if (shown) latencies.push_back(now() - change.second);
+            return shown;
+        });
     });
 
     test::StallMeter stalls;

@@ -234,7 +234,8 @@ TEST_F(CanvasWindowTest, AStrokeOfTheBrushIsOneStepAndShows) {
         QTest::mouseMove(native, widgetPixel(x, 420));
         QTest::qWait(15);
     }
-    EXPECT_GT(screenColor(180, 420).red(), unpainted.red() / 2 + 60) << "the overlay";
+    const auto overlayShown = [&] { return screenColor(180, 420).red() > unpainted.red() / 2 + 60; };
+    EXPECT_TRUE(test::waitUntil(overlayShown, 1000));
     QTest::mouseRelease(native, Qt::LeftButton, {}, widgetPixel(220, 420));
     const qint64 longest = stalls.longest();
     RecordProperty("longest_stall_ms", static_cast<int>(longest));
