@@ -65,6 +65,11 @@ DirectionalMap merge(std::span<const LobeObservations> sources, int mapHeight) {
     return result;
 }
 
+/// What a segment's rays tell of a texel without seeing the environment (`SegmentReflections::overSupport`).
+bool isOverSupport(const SegmentReflections& reflections, std::size_t texel) {
+    return !reflections.overSupport.empty() && reflections.overSupport[texel] != 0;
+}
+
 ImageRgb toMap(const ShadingLight& light, int width, int height) {
     ImageRgb map(width, height);
     for (int y = 0; y < height; ++y)
@@ -84,6 +89,7 @@ DirectionalMap recoverEnvironment(const Scene& scene, const Surface& front, cons
     const EnvironmentParams& params = scene.environment;
     const int mapHeight = std::clamp(params.height, 4, 2048);
     std::vector<LobeObservations> sources;
+    std::vector<const SegmentReflections*> mirrors;  // all sources but the first
     sources.push_back({distantLight(*scene.photo, distant, mapHeight, context), 0, {0, 0, 1}, 1});
     bool mirrored = false;
     for (std::size_t i = 0; i < reflections.size(); ++i) {
@@ -98,6 +104,16 @@ DirectionalMap recoverEnvironment(const Scene& scene, const Surface& front, cons
         const Vector3f scale = reflectance.rho.cwiseMax(1e-3f).cwiseInverse();
         for (Vector3f& value : source.map.radiance.pixels()) value = value.cwiseProduct(scale);
         sources.push_back(std::move(source));
+        mirrors.push_back(reflections[i].get());
+    }
+    // Texels in which some source sees the environment; the others of a support's continuation only fill.
+    Image<std::uint8_t> seen(2 * mapHeight, mapHeight, 0);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        seen[i] = sources[0].map.coverage[i] > 0 ? 1 : 0;
+        for (std::size_t k = 0; k < mirrors.size(); ++k)
+            if (sources[k + 1].map.coverage[i] > 0 && !isOverSupport(*mirrors[k], i)) seen[i] = 1;
+        for (std::size_t k = 0; k < mirrors.size(); ++k)
+            if (seen[i] != 0 && isOverSupport(*mirrors[k], i)) sources[k + 1].map.coverage[i] = 0;
     }
     DirectionalMap map = merge(sources, mapHeight);
     if (mirrored) {
@@ -113,6 +129,8 @@ DirectionalMap recoverEnvironment(const Scene& scene, const Surface& front, cons
         const ShadingLight light = lightFromShading(*scene.photo, front, context, kName, 0.8f);
         completeDirections(map, toMap(light, 2 * mapHeight, mapHeight), kName, context, 0.9f);
     }
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        if (seen[i] == 0) map.coverage[i] = 0;
     return map;
 }
 

@@ -11,7 +11,8 @@ namespace core::steps {
 /// the segment's ρ, and distant pixels at their view directions. Where several know a texel the sharper and better
 /// known one counts more; then the lobes are taken out again (`deconvolve`: the paper's assumption of high gloss is not
 /// needed) and gaps are filled by `params.fill`, or, with a map of the user's to complete, from that. Distant pixels
-/// beside a pixel with depth mix with it and do not count; nor do segments that show more than they mirror. Where no
+/// beside a pixel with depth mix with it and do not count; nor do segments that show more than they mirror. What lies
+/// over a support's continuation (`SegmentReflections::overSupport`) fills the map there, with coverage 0. Where no
 /// segment mirrors the light, its place is taken by `lightFromShading`, with coverage 0.
 [[nodiscard]] DirectionalMap recoverEnvironment(const Scene& scene, const Surface& front,
                                                 const Image<std::uint8_t>& distant,

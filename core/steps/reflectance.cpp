@@ -35,12 +35,13 @@ constexpr float kMinCosine = 0.08f;
 /// Where a ray from a pixel of the segment, or from its centre, ended.
 struct Ending {
     enum Kind : std::uint8_t {
-        None,     ///< not traced
-        Itself,   ///< hit the segment it started from
-        Missed,   ///< left the picture: sees the environment
-        Distant,  ///< left towards a distant pixel
-        Known,    ///< hit a surface whose colour in the photo is true for every viewer
-        Guessed,  ///< hit a back side, a glossy segment or an outline
+        None,         ///< not traced
+        Itself,       ///< hit the segment it started from
+        Missed,       ///< left the picture: sees the environment
+        OverSupport,  ///< left the picture but meets a support's continuation: does not see the environment
+        Distant,      ///< left towards a distant pixel
+        Known,        ///< hit a surface whose colour in the photo is true for every viewer
+        Guessed,      ///< hit a back side, a glossy segment or an outline
     };
     Kind kind = None;
     Vector3f direction{0, 0, 0};
@@ -53,17 +54,19 @@ struct Tracer {
     const Surface& back;
     const std::vector<bool>& glossy;  ///< by label
     const Image<std::uint8_t>& distant;
+    const ContinuedSupports& continued;
 
     /// Bit c: the camera clipped channel c of a pixel.
     [[nodiscard]] unsigned clipped(int x, int y) const { return clippedChannels(*scene.photo, x, y); }
 
-    /// What a ray in `direction` sees that was found to end at `hit`.
-    [[nodiscard]] Ending endingOf(const std::optional<MarchHit>& hit, const Vector3f& direction,
-                                  std::uint16_t label) const {
+    /// What a ray sees that was found to end at `hit`.
+    [[nodiscard]] Ending endingOf(const std::optional<MarchHit>& hit, const MarchRay& ray, std::uint16_t label) const {
+        const Vector3f& direction = ray.direction;
         if (!hit) {
             if (const auto color = distantColor(*scene.photo, distant, direction))
                 return {Ending::Distant, direction, *color};
-            return {Ending::Missed, direction, Vector3f::Zero()};
+            const bool met = continued.meets(ray.origin, direction);
+            return {met ? Ending::OverSupport : Ending::Missed, direction, Vector3f::Zero()};
         }
         const LabelImage& labels = scene.photo->labels;
         const std::uint16_t hitLabel = labels(hit->x, hit->y);
@@ -187,7 +190,8 @@ float sharpness(const LabelImage& labels, const Surface& front, const Mirror& mi
 /// A pixel and its neighbours to the right and below.
 struct MirrorQuad {
     std::array<std::size_t, 4> corners{};
-    int steps = 0;  ///< along a side, so that every texel between them is met; 0 = they do not all show the light
+    bool overSupport = false;  ///< they all look over a support's continuation, else they all show the light
+    int steps = 0;             ///< along a side, so that every texel between them is met; 0 = neither
 };
 
 MirrorQuad quadAt(std::span<const Mirror> mirrors, const Image<std::int32_t>& mirrorAt, std::size_t first,
@@ -199,17 +203,21 @@ MirrorQuad quadAt(std::span<const Mirror> mirrors, const Image<std::int32_t>& mi
         const int y = mirrors[first].y + static_cast<int>(k / 2);
         if (!mirrorAt.contains(x, y) || mirrorAt(x, y) < 0) return {};
         quad.corners[k] = static_cast<std::size_t>(mirrorAt(x, y));
-        if (!showsLight(mirrors[quad.corners[k]].ending)) return {};
+        const Ending& ending = mirrors[quad.corners[k]].ending;
+        const bool overSupport = ending.kind == Ending::OverSupport;
+        if (!overSupport && !showsLight(ending)) return {};
+        if (k == 0) quad.overSupport = overSupport;
+        if (overSupport != quad.overSupport) return {};
         spread = std::max(spread, (mirrors[quad.corners[k]].direction - mirrors[first].direction).norm());
     }
     quad.steps = std::min(static_cast<int>(1.5f * spread / texelAngle) + 1, kMaxBetween);
     return quad;
 }
 
-/// Where neighbouring pixels mirror directions more than a texel apart, adds the light between them, interpolated:
+/// Where neighbouring pixels mirror directions more than a texel apart, adds what they show between them, interpolated:
 /// observations without gaps. The coarsest are left out where there would be more than `kMaxInterpolated`.
 void addBetween(const Tracer& tracer, std::span<const Mirror> mirrors, std::span<const float> weights, float texelAngle,
-                DirectionalAccumulator& light) {
+                DirectionalAccumulator& light, DirectionalAccumulator& overSupport) {
     Image<std::int32_t> mirrorAt(tracer.front.depth.width(), tracer.front.depth.height(), -1);
     for (std::size_t i = 0; i < mirrors.size(); ++i)
         mirrorAt(mirrors[i].x, mirrors[i].y) = static_cast<std::int32_t>(i);
@@ -243,9 +251,24 @@ void addBetween(const Tracer& tracer, std::span<const Mirror> mirrors, std::span
                 color += share[k] * tracer.front.color(mirror.x, mirror.y);
                 weight += share[k] * weights[quad.corners[k]];
             }
-            light.add(direction.normalized(), color, weight, clipped);
+            (quad.overSupport ? overSupport : light).add(direction.normalized(), color, weight, clipped);
         }
     }
+}
+
+/// Adds what `more` knows where `map` knows nothing; returns where (1).
+Image<std::uint8_t> addUnseen(const DirectionalMap& more, DirectionalMap& map) {
+    Image<std::uint8_t> added(map.radiance.width(), map.radiance.height(), 0);
+    if (!more.clipped.empty() && map.clipped.empty())
+        map.clipped = Image<std::uint8_t>(map.radiance.width(), map.radiance.height(), 0);
+    for (std::size_t i = 0; i < map.radiance.size(); ++i) {
+        if (map.coverage[i] > 0 || !(more.coverage[i] > 0)) continue;
+        map.radiance[i] = more.radiance[i];
+        map.coverage[i] = more.coverage[i];
+        if (!more.clipped.empty()) map.clipped[i] = more.clipped[i];
+        added[i] = 1;
+    }
+    return added;
 }
 
 /// Rays of one probe: one along the mirrored direction, then ring by ring.
@@ -288,11 +311,11 @@ LobeProbe readProbe(const Tracer& tracer, const Mirror& mirror, std::span<const 
                 known += 1;  // below the horizon: no light comes from there
                 continue;
             }
-            const Ending ending = tracer.endingOf(hits[i], direction, label);
+            const Ending ending = tracer.endingOf(hits[i], rays[i], label);
             if (ending.kind == Ending::Known || ending.kind == Ending::Distant) {
                 probe.incident[k] += ending.color;
                 known += 1;
-            } else if (ending.kind == Ending::Missed) {
+            } else if (ending.kind == Ending::Missed || ending.kind == Ending::OverSupport) {
                 const Vector2f texel =
                     DirectionalMap::texelFromDirection(direction, sky.radiance.width(), sky.radiance.height());
                 const int x = static_cast<int>(texel.x()) % sky.radiance.width();
@@ -335,7 +358,8 @@ std::optional<LobeFit> probeAndFit(const Tracer& tracer, AnalysisKernels::RayMar
 
 SegmentReflections estimateReflectance(const Scene& scene, const Surface& front, const Surface& back,
                                        AnalysisKernels::RayMarcher& marcher, const Image<std::uint8_t>& distant,
-                                       std::uint16_t label, const StepContext& context, float from, float to) {
+                                       const ContinuedSupports& continued, std::uint16_t label,
+                                       const StepContext& context, float from, float to) {
     const Photo& photo = *scene.photo;
     const Camera& camera = photo.camera;
     const int mapHeight = std::clamp(scene.environment.height, 4, 2048);
@@ -345,7 +369,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
     const auto part = [&](float fraction) { return from + fraction * (to - from); };
     std::vector<bool> glossy(65536, false);
     for (const Segment& segment : scene.segments) glossy[segment.label] = segment.glossy;
-    const Tracer tracer{scene, front, back, glossy, distant};
+    const Tracer tracer{scene, front, back, glossy, distant, continued};
 
     // Outlines mix two objects; a segment that is nothing but outline is used whole.
     std::vector<std::array<int, 2>> pixels;
@@ -364,6 +388,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
     estimate.label = label;
     DirectionalAccumulator reflected(mapHeight);
     DirectionalAccumulator missed(mapHeight);
+    DirectionalAccumulator overSupport(mapHeight);
     std::array<DirectionalAccumulator, 2> missedHalves{missed, missed};  // of alternate blocks of pixels
     DirectionalAccumulator incident(mapHeight);
     DirectionalAccumulator guessedIncident(mapHeight);
@@ -408,7 +433,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
             [&](std::size_t i) {
                 Mirror& mirror = mirrors[i];
                 if (mirror.direction.isZero(0)) return;
-                mirror.ending = tracer.endingOf(hits[i], mirror.direction, label);
+                mirror.ending = tracer.endingOf(hits[i], mirrored[i], label);
                 weights[i] = sharpness(photo.labels, front, mirror, texelAngle);
             },
             0.35f, 0.4f);
@@ -424,13 +449,14 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
                 const int half = (mirror.x / block + mirror.y / block) % 2;
                 missedHalves[static_cast<std::size_t>(half)].add(mirror.direction, color, weights[i]);
             }
+            if (ending.kind == Ending::OverSupport) overSupport.add(mirror.direction, color, weights[i], clipped);
             if (clipped == 0 && (ending.kind == Ending::Known || ending.kind == Ending::Distant)) {
                 pairReflected.add(mirror.direction, color);
                 pairIncident.add(mirror.direction, ending.color);
             }
         }
 
-        if (stride == 1) addBetween(tracer, mirrors, weights, texelAngle, missed);
+        if (stride == 1) addBetween(tracer, mirrors, weights, texelAngle, missed, overSupport);
 
         // What arrives at the centre, with the segment itself taken away.
         std::vector<MarchRay> rays;
@@ -438,7 +464,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
             rays.push_back({center.cast<float>(), fibonacciDirection(i, kIncidentRays)});
         const auto ends = marcher.march(rays, label, {context, kName, part(0.4f), part(0.6f)});
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            const Ending ray = tracer.endingOf(ends[i], rays[i].direction, label);
+            const Ending ray = tracer.endingOf(ends[i], rays[i], label);
             if (ray.kind == Ending::Known || ray.kind == Ending::Distant) incident.add(ray.direction, ray.color);
             if (ray.kind == Ending::Guessed) guessedIncident.add(ray.direction, ray.color);
         }
@@ -447,6 +473,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
     estimate.reflected = reflected.map();
     estimate.incident = incident.map();
     result.missed = missed.map();
+    result.overSupport = addUnseen(overSupport.map(), result.missed);
     if (const float sigma = agreementWidth(missedHalves[0].map(), missedHalves[1].map()); sigma > 0)
         smoothDirections(result.missed, sigma);
     const CommonRatio pairs = commonRatio(pairReflected.map(), pairIncident.map());
@@ -517,6 +544,7 @@ Step reflectanceStep() {
         for (const Segment* segment : glossy) hash.add(segment->label);
 
         const auto marcher = context.kernels().rayMarcher(*board.layers);
+        const ContinuedSupports continued(scene.photo->camera, scene.photo->labels, *board.front);
         std::vector<std::shared_ptr<const Reflectance>> results;
         std::vector<std::shared_ptr<const SegmentReflections>> reflections;
         for (std::size_t i = 0; i < glossy.size(); ++i) {
@@ -524,9 +552,9 @@ Step reflectanceStep() {
             CachedReflectance& cached = board.reflectanceCache[label];
             if (!cached.reflections || cached.key != hash.value()) {
                 const auto count = static_cast<float>(glossy.size());
-                cached.reflections = std::make_shared<SegmentReflections>(
-                    estimateReflectance(scene, *board.front, board.back->surface, *marcher, board.depth->distant, label,
-                                        context, static_cast<float>(i) / count, static_cast<float>(i + 1) / count));
+                cached.reflections = std::make_shared<SegmentReflections>(estimateReflectance(
+                    scene, *board.front, board.back->surface, *marcher, board.depth->distant, continued, label, context,
+                    static_cast<float>(i) / count, static_cast<float>(i + 1) / count));
                 cached.key = hash.value();
             }
             auto result = std::make_shared<Reflectance>(cached.reflections->estimate);

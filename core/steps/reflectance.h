@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/analysis_kernels.h"
+#include "core/steps/continued_supports.h"
 #include "core/steps/fill_directions.h"
 #include "core/steps/step.h"
 
@@ -19,11 +20,14 @@ namespace core::steps {
 /// What one glossy segment shows of the world (DESIGN 3.3, cases A to D).
 struct SegmentReflections {
     Reflectance estimate;
-    /// Colours whose mirrored ray hits nothing: ρ times the environment as the lobe blurs it. Weighted: where the
+    /// Colours whose mirrored ray hits nothing seen: ρ times the environment as the lobe blurs it. Weighted: where the
     /// surface is curved so much that a pixel mirrors more than a texel, it knows less of each, and what lies
     /// between it and its neighbours is interpolated. Where the segment's
     /// pixels contradict each other, smoothed until they agree (`agreementWidth`).
     DirectionalMap missed;
+    /// 1 = all that `missed` knows there comes from rays that meet a support where it is not seen
+    /// (`ContinuedSupports`): what lies there, but not the environment. Empty = nowhere.
+    Image<std::uint8_t> overSupport;
     Vector3f view{0, 0, 1};  ///< unit, from the camera to the segment
 };
 
@@ -40,7 +44,8 @@ struct SegmentReflections {
 /// when the segment shows clearly more light than it mirrors: then it is not (only) a mirror.
 [[nodiscard]] SegmentReflections estimateReflectance(const Scene& scene, const Surface& front, const Surface& back,
                                                      AnalysisKernels::RayMarcher& marcher,
-                                                     const Image<std::uint8_t>& distant, std::uint16_t label,
+                                                     const Image<std::uint8_t>& distant,
+                                                     const ContinuedSupports& continued, std::uint16_t label,
                                                      const StepContext& context, float from, float to);
 
 /// The estimate contradicts itself: the segment has colours of its own beside what it mirrors.

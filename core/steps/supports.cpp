@@ -69,14 +69,13 @@ std::vector<bool> findSupports(const LabelImage& labels) {
     return supports;
 }
 
-std::optional<SupportPlane> fitSupportPlane(const SegmentPixels& segment) {
-    const std::vector<Vector3f> points = supportPointsAround(segment);
+std::optional<SupportPlane> fitPlane(std::span<const Vector3f> points, float pixelWidth) {
     if (points.size() < kMinPoints) return std::nullopt;
     const auto distance = [](const SupportPlane& plane, const Vector3f& p) {
         return std::abs(plane.normal.dot(p) - plane.offset);
     };
     const auto isInlier = [&](const SupportPlane& plane, const Vector3f& p) {
-        return distance(plane, p) < kInlierWidths * segment.footprint(p.z());
+        return distance(plane, p) < kInlierWidths * pixelWidth * p.z();
     };
 
     std::mt19937 random(1);
@@ -108,9 +107,15 @@ std::optional<SupportPlane> fitSupportPlane(const SegmentPixels& segment) {
     const Eigen::Vector3d normal = axes->eigenvectors.col(0);
     SupportPlane plane{normal.cast<float>(), static_cast<float>(normal.dot(axes->mean))};
     if (plane.offset < 0) plane = {-plane.normal, -plane.offset};
+    return plane;
+}
+
+std::optional<SupportPlane> fitSupportPlane(const SegmentPixels& segment) {
+    const auto plane = fitPlane(supportPointsAround(segment), segment.footprint(1));
+    if (!plane) return std::nullopt;
     const auto beyondCount = std::ranges::count_if(segment.pixels, [&](const Pixel& pixel) {
         const Vector3f& p = segment.front.position(pixel.x, pixel.y);
-        return plane.normal.dot(p) > plane.offset + kInlierWidths * segment.footprint(p.z());
+        return plane->normal.dot(p) > plane->offset + kInlierWidths * segment.footprint(p.z());
     });
     if (static_cast<double>(beyondCount) > kMaxBeyond * static_cast<double>(segment.pixels.size())) return std::nullopt;
     return plane;

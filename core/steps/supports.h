@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "core/steps/segment_pixels.h"
 
@@ -24,9 +25,14 @@ struct SupportPlane {
     }
 };
 
-/// The plane a segment stands on or leans at: fitted robustly (RANSAC, then least squares over the inliers) to the
-/// support pixels around the segment's outline. nullopt when no support touches it, when what is there is no plane, or
-/// when a good part of the segment lies beyond that plane and so does not stand on it.
+/// Plane through points, fitted robustly (RANSAC, then least squares over the inliers: points within three pixel widths
+/// of it). `pixelWidth` [m] at a depth of one metre. nullopt for a dozen points or fewer, or when less than half of
+/// them are inliers.
+[[nodiscard]] std::optional<SupportPlane> fitPlane(std::span<const Vector3f> points, float pixelWidth);
+
+/// The plane a segment stands on or leans at (`fitPlane`): that of the support pixels around the segment's outline.
+/// nullopt when no support touches it, when what is there is no plane, or when a good part of the segment lies beyond
+/// that plane and so does not stand on it.
 [[nodiscard]] std::optional<SupportPlane> fitSupportPlane(const SegmentPixels& segment);
 
 }  // namespace core::steps

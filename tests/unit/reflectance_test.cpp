@@ -176,6 +176,35 @@ TEST_F(MirrorSphere, EnvironmentIsTheTruthWhereItWasSeen) {
     EXPECT_LT(errors[errors.size() * 95 / 100], 0.1f);
 }
 
+TEST_F(MirrorSphere, FloorBesideThePictureIsNotTakenForTheEnvironment) {
+    // Below the horizon, as far as the floor is taken to go on: not observed, but filled by what the sphere shows
+    // there.
+    const DirectionalMap& map = *analysis->environment;
+    const Vector3f down = test::rotation(0.5, {1, 0, 0}).col(1).cast<float>();
+    const Vector3d center = Vector3d(-0.08, 0.05, 1) - 0.12 * down.cast<double>();
+    test::RayScene others = truth;
+    others.objects.erase(others.objects.begin() + 1);
+    float all = 0;
+    float observed = 0;
+    Vector3f filled = Vector3f::Zero();
+    Vector3f floor = Vector3f::Zero();
+    for (int y = 0; y < map.radiance.height(); ++y) {
+        const float solidAngle = DirectionalMap::texelSolidAngle(y, map.radiance.width(), map.radiance.height());
+        for (int x = 0; x < map.radiance.width(); ++x) {
+            const Vector3f d = texelDirection(x, y, map);
+            if (d.dot(down) < 0.2f || std::abs(d.x()) < 0.9f) continue;
+            all += solidAngle;
+            if (map.coverage(x, y) > 0) observed += solidAngle;
+            filled += solidAngle * map.radiance(x, y);
+            floor += solidAngle * others.radiance(center, d.cast<double>());
+        }
+    }
+    EXPECT_GT(all, 0.2f);
+    EXPECT_LT(observed, 0.01f * all);
+    // The floor is near: from another point of the sphere its pattern lies elsewhere, its mean does not.
+    EXPECT_LT((filled - floor).norm(), 0.2f * floor.norm()) << filled.transpose() << " for " << floor.transpose();
+}
+
 TEST_F(MirrorSphere, UsersReflectanceReplacesTheEstimate) {
     core::Scene edited = scene;
     edited.findSegment(2)->reflectance = Vector3f(0.45f, 0.3f, 0.15f);
