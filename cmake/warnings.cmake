@@ -5,3 +5,7 @@ target_compile_options(patina_options INTERFACE -Wall -Wextra -Wpedantic -Wshado
 target_include_directories(patina_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(patina_options INTERFACE PATINA_VERSION="${PROJECT_VERSION}"
   $<$<BOOL:${PATINA_ASSERTS}>:PATINA_ASSERTS>)
+if(PATINA_UNITY)
+  # Takes every file but the one on the command line for a header, whose unnamed namespace others would see.
+  target_compile_options(patina_options INTERFACE -Wno-subobject-linkage)
+endif()

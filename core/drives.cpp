@@ -28,7 +28,7 @@ PixelBox boxOf(const LabelImage& labels, std::uint16_t label) {
     return box;
 }
 
-kernel::vec4 toVec4(const Vector3f& v, float w) { return {v.x(), v.y(), v.z(), w}; }
+kernel::vec4 packed(const Vector3f& v, float w) { return {v.x(), v.y(), v.z(), w}; }
 
 /// How a drive's stored values become t.
 struct Response {
@@ -76,9 +76,9 @@ float meanCorrection(const LabelImage& labels, std::uint16_t label, const PixelB
 }
 
 /// The drives of one scene in the making.
-class Builder {
+class DriveBuilder {
   public:
-    Builder(const Scene& scene, const Analysis& analysis) : labels_(scene.photo->labels), analysis_(analysis) {}
+    DriveBuilder(const Scene& scene, const Analysis& analysis) : labels_(scene.photo->labels), analysis_(analysis) {}
 
     void add(const Segment& segment, kernel::SegmentShading& shading) {
         const Material& material = *segment.edit;
@@ -161,8 +161,8 @@ class Builder {
         if (drive.invert) r.gain = -r.gain;
         const DrivePlane& p = table_.planes[plane];
         kernel::Drive entry;
-        entry.from = toVec4(from, r.gain);
-        entry.to = toVec4(to, r.stored);
+        entry.from = packed(from, r.gain);
+        entry.to = packed(to, r.stored);
         entry.range = {r.t, r.least, r.greatest, 0};
         entry.slot = parameter.slot;
         entry.offset = static_cast<kernel::uint>(p.offset);
@@ -265,7 +265,7 @@ std::vector<float> DriveTable::values() const {
 }
 
 DriveTable buildDrives(const Scene& scene, const Analysis& analysis, std::span<kernel::SegmentShading> shading) {
-    Builder builder(scene, analysis);
+    DriveBuilder builder(scene, analysis);
     for (const Segment& segment : scene.segments) {
         if (!segment.edit || !usable(*segment.edit) || segment.edit->drives.empty() || segment.label >= shading.size())
             continue;

@@ -16,7 +16,7 @@ namespace core {
 namespace {
 
 constexpr float kEpsilon = 1e-6f;
-constexpr std::array<float, 5> kSpline{1.0f / 16, 4.0f / 16, 6.0f / 16, 4.0f / 16, 1.0f / 16};
+constexpr std::array<float, 5> kB3Spline{1.0f / 16, 4.0f / 16, 6.0f / 16, 4.0f / 16, 1.0f / 16};
 
 class Filter {
   public:
@@ -106,7 +106,7 @@ class Filter {
                 const int qx = x + dx * step;
                 const int qy = y + dy * step;
                 if (!together(x, y, qx, qy)) continue;
-                float w = kSpline[static_cast<std::size_t>(dx + 2)] * kSpline[static_cast<std::size_t>(dy + 2)];
+                float w = kB3Spline[static_cast<std::size_t>(dx + 2)] * kB3Spline[static_cast<std::size_t>(dy + 2)];
                 if (dx != 0 || dy != 0) {
                     const float cosine = std::max(normal.dot(front_.normal(qx, qy)), 0.0f);
                     const float plane = std::abs(normal.dot(front_.position(qx, qy) - position));

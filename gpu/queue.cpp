@@ -12,7 +12,7 @@ namespace gpu {
 
 namespace {
 
-detail::DeviceImpl& deviceOf(const std::shared_ptr<detail::DeviceImpl>& impl) {
+detail::DeviceImpl& queueDevice(const std::shared_ptr<detail::DeviceImpl>& impl) {
     detail::require(impl != nullptr, "The queue is an empty handle.");
     return *impl;
 }
@@ -20,7 +20,7 @@ detail::DeviceImpl& deviceOf(const std::shared_ptr<detail::DeviceImpl>& impl) {
 }  // namespace
 
 void Queue::submit(std::span<const CommandBuffer> commandBuffers) const {
-    detail::DeviceImpl& device = deviceOf(impl_);
+    detail::DeviceImpl& device = queueDevice(impl_);
     device.guarded([&] {
         std::vector<std::shared_ptr<detail::CommandBufferImpl>> internal;
         for (const CommandBuffer& commandBuffer : commandBuffers) {
@@ -36,7 +36,7 @@ void Queue::submit(std::span<const CommandBuffer> commandBuffers) const {
 }
 
 void Queue::writeBuffer(const Buffer& handle, std::uint64_t offset, const void* data, std::size_t size) const {
-    detail::DeviceImpl& device = deviceOf(impl_);
+    detail::DeviceImpl& device = queueDevice(impl_);
     device.guarded([&] {
         detail::BufferImpl& buffer = detail::resolve(handle, device, "buffer");
         detail::requireBufferRange(buffer, BufferUsage::CopyDst, offset, size, "writing to it");
@@ -48,7 +48,7 @@ void Queue::writeBuffer(const Buffer& handle, std::uint64_t offset, const void* 
 
 void Queue::writeTexture(const TexelCopyTextureInfo& destination, const void* data, std::size_t dataSize,
                          const TexelCopyBufferLayout& layout, const Extent3D& writeSize) const {
-    detail::DeviceImpl& device = deviceOf(impl_);
+    detail::DeviceImpl& device = queueDevice(impl_);
     device.guarded([&] {
         detail::TextureImpl& texture = detail::resolve(destination.texture, device, "texture");
         detail::requireTextureRegion(texture, TextureUsage::CopyDst, destination, writeSize, "writing to it");
@@ -89,7 +89,7 @@ void Queue::writeTexture(const TexelCopyTextureInfo& destination, const void* da
 }
 
 void Queue::writeTexture(const Texture& texture, const void* data, std::size_t dataSize) const {
-    detail::DeviceImpl& device = deviceOf(impl_);
+    detail::DeviceImpl& device = queueDevice(impl_);
     Extent3D size = {};
     const bool valid = device.guarded([&] {
         const detail::TextureImpl& resolved = detail::resolve(texture, device, "texture");
@@ -103,7 +103,7 @@ void Queue::writeTexture(const Texture& texture, const void* data, std::size_t d
 }
 
 void Queue::onSubmittedWorkDone(std::function<void()> callback) const {
-    detail::DeviceImpl& device = deviceOf(impl_);
+    detail::DeviceImpl& device = queueDevice(impl_);
     device.guarded([&] {
         device.flushPendingWrites();
         device.whenDone(device.lastSubmission(), device.lastFrame(), [callback = std::move(callback)](bool) {

@@ -11,7 +11,7 @@ namespace cli {
 
 namespace {
 
-struct Arguments {
+struct CreateArguments {
     core::CreateOptions options;
     std::string depthKind = "z";
     double depthUnit = 0;
@@ -31,7 +31,7 @@ std::string depthInside() {
 }  // namespace
 
 void addCreate(CLI::App& app, Session& session) {
-    const auto args = std::make_shared<Arguments>();
+    const auto args = std::make_shared<CreateArguments>();
     CLI::App* command =
         app.add_subcommand("create", "Make a project from a photograph, its depth map and its segments");
     command->footer(

@@ -21,7 +21,7 @@ namespace cli {
 
 namespace {
 
-struct Arguments {
+struct RenderArguments {
     std::string project;
     std::vector<std::string> edits;
     std::vector<std::string> reflectances;
@@ -50,7 +50,7 @@ class UserBrdfChecks {
 };
 
 /// Everything that can be wrong with the edits by themselves, before anything is loaded.
-Edits parseEdits(const Arguments& args) {
+Edits parseEdits(const RenderArguments& args) {
     Edits edits;
     for (const std::string& text : args.edits) {
         const auto [label, json] = parseAssignment("--edit", text);
@@ -72,7 +72,7 @@ Edits parseEdits(const Arguments& args) {
     return edits;
 }
 
-void render(const Arguments& args, bool samplesGiven, bool bouncesGiven, bool seedGiven, const Session& session) {
+void render(const RenderArguments& args, bool samplesGiven, bool bouncesGiven, bool seedGiven, const Session& session) {
     gpu::Device device;
     const auto open = [&] {
         if (!device) device = openDevice(session);
@@ -138,7 +138,7 @@ std::string brdfWords() {
 }  // namespace
 
 void addRender(CLI::App& app, Session& session) {
-    const auto args = std::make_shared<Arguments>();
+    const auto args = std::make_shared<RenderArguments>();
     CLI::App* command = app.add_subcommand("render", "Apply edits and write the picture");
     command->footer(
         std::string("An edit is LABEL=JSON; LABEL is the number in the label map or the segment's name. Keys of the "

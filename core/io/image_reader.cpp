@@ -52,7 +52,7 @@ std::string formatFromContent(std::string_view bytes) {
     return {};
 }
 
-std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+std::string imageSizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 std::uint32_t bigEndian(std::string_view bytes, std::size_t at) {
     std::uint32_t value = 0;
@@ -178,10 +178,10 @@ void ImageReader::fail(const std::string& reason) const {
 
 void ImageReader::checkHeader() const {
     const auto checkSize = [&](int width, int height) {
-        if (width <= 0 || height <= 0) fail("the image size is " + sizeText(width, height));
+        if (width <= 0 || height <= 0) fail("the image size is " + imageSizeText(width, height));
         if (width > kMaxImageSide || height > kMaxImageSide ||
             static_cast<long>(width) * static_cast<long>(height) > kMaxImagePixels)
-            fail("the image size is " + sizeText(width, height) + ", expected at most " +
+            fail("the image size is " + imageSizeText(width, height) + ", expected at most " +
                  std::to_string(kMaxImageSide) + " pixels a side and " + std::to_string(kMaxImagePixels / 1'000'000) +
                  " megapixels");
     };
@@ -193,7 +193,7 @@ void ImageReader::checkHeader() const {
         fail("it has " + std::to_string(spec_.nchannels) + " channels, expected 1 to " + std::to_string(kMaxChannels));
     const auto bytes = static_cast<std::size_t>(spec_.image_bytes(true));
     if (bytes > kAlwaysAcceptedBytes && bytes / kMaxCompression > fileSize_)
-        fail("the header claims " + sizeText(spec_.width, spec_.height) + " pixels, but the file has only " +
+        fail("the header claims " + imageSizeText(spec_.width, spec_.height) + " pixels, but the file has only " +
              std::to_string(fileSize_) + " bytes");
 }
 

@@ -37,7 +37,7 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-struct Bench {
+struct Benchmarks {
     gpu::Device device;
     const core::Scene& scene;
     std::shared_ptr<const core::Analysis> analysis;
@@ -66,7 +66,7 @@ struct Bench {
 };
 
 /// Cosine-weighted rays from random visible surface points: what re-shading a matte picture would march.
-std::vector<Ray> Bench::cosineRays(std::size_t count) const {
+std::vector<Ray> Benchmarks::cosineRays(std::size_t count) const {
     const core::Surface& front = *analysis->front;
     std::vector<std::size_t> visible;
     for (std::size_t i = 0; i < front.depth.size(); ++i)
@@ -87,7 +87,7 @@ std::vector<Ray> Bench::cosineRays(std::size_t count) const {
     return rays;
 }
 
-void Bench::march() {
+void Benchmarks::march() {
     constexpr std::size_t kRays = 1 << 18;
     constexpr std::size_t kSlowRays = 1 << 14;  // for the methods that are slow on a processor
     constexpr int kRepetitions = 3;
@@ -154,7 +154,7 @@ void Bench::march() {
 
 /// The scene with one segment edited and no other: the first glossy one, else the largest that is not the largest of
 /// all (which is what things stand on).
-core::Scene Bench::withEdit(const core::Material& material) const {
+core::Scene Benchmarks::withEdit(const core::Material& material) const {
     core::Scene edited = scene;
     std::map<std::uint16_t, std::size_t> sizes;
     for (const std::uint16_t label : scene.photo->labels.pixels())
@@ -175,7 +175,7 @@ core::Scene Bench::withEdit(const core::Material& material) const {
     return edited;
 }
 
-double Bench::renderSeconds(Renderer& renderer, bool firstPictureOnly, double budgetSeconds) const {
+double Benchmarks::renderSeconds(Renderer& renderer, bool firstPictureOnly, double budgetSeconds) const {
     device.waitIdle();
     const auto start = Clock::now();
     bool worked = true;
@@ -189,7 +189,7 @@ double Bench::renderSeconds(Renderer& renderer, bool firstPictureOnly, double bu
     return secondsSince(start);
 }
 
-void Bench::reshade() {
+void Benchmarks::reshade() {
     core::Material material = core::defaultMaterial(*core::findBrdf("ggx"));
     core::Scene edited = withEdit(material);
     edited.render.samples = 5;
@@ -207,7 +207,7 @@ void Bench::reshade() {
 }
 
 /// What `renderer` shows after `seconds`.
-core::ImageRgb Bench::rendered(Renderer& renderer, double seconds) const {
+core::ImageRgb Benchmarks::rendered(Renderer& renderer, double seconds) const {
     device.waitIdle();
     const auto start = Clock::now();
     bool worked = true;
@@ -242,7 +242,7 @@ std::shared_ptr<const core::DirectionalMap> withSun(const core::DirectionalMap& 
     return map;
 }
 
-void Bench::quality() {
+void Benchmarks::quality() {
     constexpr int kReferenceSamples = 256;
     if (!analysis->environment || analysis->environment->empty())
         throw core::Error(core::ErrorKind::Input,
@@ -294,14 +294,14 @@ void Bench::quality() {
     }
 }
 
-void Bench::translucency() {
+void Benchmarks::translucency() {
     core::Material material = core::defaultMaterial(*core::findBrdf("none"));
     material.translucency = core::Translucency();
     const std::vector<BenchResult> found = benchTranslucency(device, withEdit(material), analysis, context);
     results.insert(results.end(), found.begin(), found.end());
 }
 
-std::map<std::string, double> Bench::analysisSeconds(core::AnalysisKernels& kernels) const {
+std::map<std::string, double> Benchmarks::analysisSeconds(core::AnalysisKernels& kernels) const {
     static const std::map<std::string, std::string, std::less<>> kMetrics = {
         {"Filter depth", "filter"},   {"Surface", "geometry"},        {"Back side", "backside"},
         {"Depth layers", "geometry"}, {"Reflectance", "reflectance"}, {"Environment", "environment"}};
@@ -326,7 +326,7 @@ std::map<std::string, double> Bench::analysisSeconds(core::AnalysisKernels& kern
     return seconds;
 }
 
-void Bench::analyse() {
+void Benchmarks::analyse() {
     const auto addAll = [&](const std::string& prefix, const std::map<std::string, double>& seconds) {
         for (const char* stage : {"filter", "geometry", "backside", "reflectance", "environment", "total"}) {
             const auto found = seconds.find(stage);
@@ -374,7 +374,7 @@ std::vector<BenchResult> runBenchmarks(const std::vector<std::string>& names, gp
     const auto wanted = [&](const char* name) {
         return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
     };
-    Bench bench{std::move(device), scene, analysis, context, {}};
+    Benchmarks bench{std::move(device), scene, analysis, context, {}};
     if (wanted("march")) bench.march();
     if (wanted("reshade")) bench.reshade();
     if (wanted("quality")) bench.quality();

@@ -19,7 +19,7 @@ namespace render {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double elapsedSeconds(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 struct Mesh {
     std::vector<core::Vector3f> vertices;  ///< front positions, then back positions
@@ -89,7 +89,7 @@ std::optional<EmbreeTimes> benchEmbree(const core::Surface& front, const core::S
         rtcAttachGeometry(scene, geometry);
         rtcReleaseGeometry(geometry);
         rtcCommitScene(scene);
-        times.buildSeconds = std::min(times.buildSeconds, secondsSince(start));
+        times.buildSeconds = std::min(times.buildSeconds, elapsedSeconds(start));
     }
     double best = std::numeric_limits<double>::max();
     std::atomic<std::size_t> hits{0};
@@ -117,7 +117,7 @@ std::optional<EmbreeTimes> benchEmbree(const core::Surface& front, const core::S
             }
             hits += found;
         });
-        best = std::min(best, secondsSince(start));
+        best = std::min(best, elapsedSeconds(start));
     }
     times.raysPerSecond = static_cast<double>(rays.size()) / best;
     times.hitShare = static_cast<double>(hits) / static_cast<double>(rays.size());

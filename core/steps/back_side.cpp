@@ -19,7 +19,7 @@
 namespace core::steps {
 namespace {
 
-constexpr const char* kName = "Back side";
+constexpr const char* kBackSideStep = "Back side";
 constexpr float kInventing = 0.7f;            ///< part of the step that inventing takes
 constexpr float kUnlabelledThickness = 0.1f;  ///< of the distance
 constexpr std::size_t kMinMirrorPoints = 16;
@@ -87,7 +87,7 @@ struct Reporter {
     [[nodiscard]] float progress() const {
         return kInventing * static_cast<float>(done.load(std::memory_order_relaxed)) / static_cast<float>(count);
     }
-    void checkpoint() const { context.checkpoint(kName, progress()); }
+    void checkpoint() const { context.checkpoint(kBackSideStep, progress()); }
 };
 
 Candidate invent(const SegmentPixels& segment, BackSideMethod method, const BackSideParams& params,
@@ -101,7 +101,7 @@ Candidate invent(const SegmentPixels& segment, BackSideMethod method, const Back
         result.failure = "It has too few pixels with depth to tell its shape.";
     } else if (method == BackSideMethod::SpannedMirror) {
         SpannedMirror mirror =
-            mirrorAtSpannedSurface(segment, params.planeShift, kName, reporter.progress(), reporter.context);
+            mirrorAtSpannedSurface(segment, params.planeShift, kBackSideStep, reporter.progress(), reporter.context);
         result.error = mirror.error;
         if (mirror.outline > 0)
             result.samples = std::move(mirror.samples);
@@ -234,13 +234,13 @@ BackLayer inventBackSide(const Camera& camera, const LabelImage& labels, const S
         }
     }
     context.kernels().computeSurface({camera, labels, Side::Back, relativeNoise, &mirroredNormals}, back,
-                                     {context, kName, kInventing, 1.0f});
+                                     {context, kBackSideStep, kInventing, 1.0f});
     return result;
 }
 
 Step backSideStep() {
     Step step;
-    step.name = kName;
+    step.name = kBackSideStep;
     step.reads = {Item::Photo, Item::Depth, Item::Front, Item::UserBackDepth};
     step.writes = Item::Back;
     step.params = [](const Scene& scene, Hash& hash) {

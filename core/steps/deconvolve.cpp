@@ -16,8 +16,8 @@ namespace core::steps {
 namespace {
 
 constexpr int kMaxRows = 512;
-constexpr int kIterations = 3;
-constexpr int kSamples = 24;      // of a lobe
+constexpr int kFactorIterations = 3;
+constexpr int kLobeSamples = 24;  // of a lobe
 constexpr float kMaxStep = 4.0f;  // largest factor of one iteration
 
 // Highlights the camera clipped.
@@ -339,13 +339,13 @@ void deconvolve(DirectionalMap& light, std::span<const LobeObservations> sources
     std::vector<System> systems;
     for (const LobeObservations& source : sources) {
         context.checkpoint(stepName, from);
-        systems.emplace_back(source, observedTexels(source), kSamples, texelAngle);
+        systems.emplace_back(source, observedTexels(source), kLobeSamples, texelAngle);
     }
     ImageRgb factor(width, height);
     ImageRgb weight(width, height);
     const float middle = light.clipped.empty() ? to : 0.5f * (from + to);
-    for (int iteration = 0; iteration < kIterations; ++iteration) {
-        context.checkpoint(stepName, from + (middle - from) * static_cast<float>(iteration) / kIterations);
+    for (int iteration = 0; iteration < kFactorIterations; ++iteration) {
+        context.checkpoint(stepName, from + (middle - from) * static_cast<float>(iteration) / kFactorIterations);
         std::ranges::fill(factor.pixels(), Vector3f::Zero());
         std::ranges::fill(weight.pixels(), Vector3f::Zero());
         for (const System& system : systems) system.vote(light.radiance, factor, weight);

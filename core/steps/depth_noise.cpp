@@ -11,7 +11,7 @@
 namespace core::steps {
 namespace {
 
-constexpr const char* kName = "Filter depth";
+constexpr const char* kNoiseStep = "Filter depth";
 constexpr int kScales = 5;
 constexpr float kExact = 2e-6f;  ///< relative deviation below which depth counts as exact: rounding of floats
 
@@ -187,7 +187,7 @@ NoiseCurve measureNoise(const ImageF& w, const LabelImage& labels, int step, Dif
     const int skip = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(columns) * rows / 2500)));
     std::vector<std::optional<Block>> found(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     parallelFor(
-        context, kName, (rows + skip - 1) / skip,
+        context, kNoiseStep, (rows + skip - 1) / skip,
         [&](int j) {
             for (int i = 0; i < columns; i += skip)
                 found[static_cast<std::size_t>(j * skip) * static_cast<std::size_t>(columns) +

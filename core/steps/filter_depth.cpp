@@ -16,7 +16,7 @@
 namespace core::steps {
 namespace {
 
-constexpr const char* kName = "Filter depth";
+constexpr const char* kFilterDepthStep = "Filter depth";
 
 /// Squared distance of two encoded colours, [0, 3].
 float squaredDistance(std::uint32_t a, std::uint32_t b) {
@@ -113,7 +113,7 @@ constexpr float kAutomaticColorSigma = 0.25f;
 /// Progress of pass `k`.
 StepPart partOf(int k, const StepContext& context) {
     const float from = 0.1f + 0.18f * static_cast<float>(k);
-    return {context, kName, from, from + 0.18f};
+    return {context, kFilterDepthStep, from, from + 0.18f};
 }
 
 ImageF filterAutomatically(ImageF w, AnalysisKernels::DepthFilter& filter, const LabelImage& labels,
@@ -205,7 +205,7 @@ ImageF filterDepth(const ImageF& depth, const ImageRgb& color, const LabelImage&
     if (!params.enabled) return depth;
     const bool nothing = params.automatic ? noise.relative <= 0 : params.spatialSigma <= 0 || params.depthSigma <= 0;
     if (nothing) return depth;
-    const Image<std::uint32_t> encoded = encodeColor(color, {context, kName, 0.0f, 0.1f});
+    const Image<std::uint32_t> encoded = encodeColor(color, {context, kFilterDepthStep, 0.0f, 0.1f});
     const auto filter = context.kernels().depthFilter(encoded, labels);
     ImageF w = inverseOf(depth);
     w = params.automatic ? filterAutomatically(std::move(w), *filter, labels, camera, noise, pixelsPerSample, context)
@@ -313,7 +313,7 @@ void completeSegments(ImageF& depth, const LabelImage& labels, const StepContext
                                     : MembraneCell{mean, MembraneCell::Kind::Free};
             }
         }
-        solveMembrane(cells, kName, 1.0f, context);
+        solveMembrane(cells, kFilterDepthStep, 1.0f, context);
         for (int y = 0; y < cells.height(); ++y)
             for (int x = 0; x < cells.width(); ++x)
                 if (cells(x, y).kind == MembraneCell::Kind::Free) depthAt(x, y) = 1 / cells(x, y).value;
@@ -322,7 +322,7 @@ void completeSegments(ImageF& depth, const LabelImage& labels, const StepContext
 
 Step filterDepthStep() {
     Step step;
-    step.name = kName;
+    step.name = kFilterDepthStep;
     step.reads = {Item::Photo};
     step.writes = Item::Depth;
     step.params = [](const Scene& scene, Hash& hash) {

@@ -10,13 +10,13 @@
 namespace core::steps {
 namespace {
 
-constexpr float kFacing = 0.1f;       ///< cosine to the view: flatter faces than this do not turn away at the edge
-constexpr float kFlat = 0.985f;       ///< cosine between normals of one face
-constexpr float kSamePlane = 0.97f;   ///< cosine between normals of one hidden face
-constexpr float kTolerance = 2.5f;    ///< [pixel widths] off a hidden face
-constexpr double kMinSupport = 0.04;  ///< of the known outline, for a hidden face
-constexpr std::size_t kMinEdge = 6;   ///< [px]
-constexpr double kStraight = 0.05;    ///< second to first eigenvalue of the edge's points
+constexpr float kFacing = 0.1f;         ///< cosine to the view: flatter faces than this do not turn away at the edge
+constexpr float kFlat = 0.985f;         ///< cosine between normals of one face
+constexpr float kSamePlane = 0.97f;     ///< cosine between normals of one hidden face
+constexpr float kTolerance = 2.5f;      ///< [pixel widths] off a hidden face
+constexpr double kMinSupport = 0.04;    ///< of the known outline, for a hidden face
+constexpr std::size_t kMinEdge = 6;     ///< [px]
+constexpr double kStraightEdge = 0.05;  ///< second to first eigenvalue of the edge's points
 constexpr std::size_t kMaxCandidates = 400;
 
 /// Half-space n·p ≤ offset that the object lies in.
@@ -65,7 +65,7 @@ std::optional<HiddenFace> faceBehind(const SegmentPixels& segment, const Image<s
         covariance += d * d.transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-    if (solver.eigenvalues()[1] > kStraight * solver.eigenvalues()[2]) return std::nullopt;
+    if (solver.eigenvalues()[1] > kStraightEdge * solver.eigenvalues()[2]) return std::nullopt;
     Vector3f hidden = solver.eigenvectors().col(2).cast<float>().cross(normal);
     if (hidden.norm() < 0.5f) return std::nullopt;
     hidden.normalize();

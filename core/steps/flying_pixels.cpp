@@ -13,7 +13,7 @@
 namespace core::steps {
 namespace {
 
-constexpr const char* kName = "Filter depth";
+constexpr const char* kFlyingPixelsStep = "Filter depth";
 constexpr int kReachParts = 60;         ///< the longer side over the reach of a ramp
 constexpr int kGrid = 4;                ///< samples of a window on each side of its centre
 constexpr float kRampPart = 0.6f;       ///< of the outline near by that is blurred where a ramp is
@@ -146,7 +146,7 @@ void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& c
     Image<std::uint8_t> strips(depth.width(), depth.height(), 0);
     Image<Surfaces> surfaces(depth.width(), depth.height());
     parallelFor(
-        context, kName, depth.height(),
+        context, kFlyingPixelsStep, depth.height(),
         [&](int y) {
             for (int x = 0; x < depth.width(); ++x) {
                 if (labels(x, y) == 0 || supports[labels(x, y)] || measured(x, y) <= 0 || !outlines.isOutline(x, y))
@@ -180,7 +180,7 @@ void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& c
     const int foot = 1 + reach / kFootParts;
     Image<std::uint8_t> ramp(depth.width(), depth.height(), 0);
     for (int y = 0; y < depth.height(); ++y) {
-        context.checkpoint(kName, 0);
+        context.checkpoint(kFlyingPixelsStep, 0);
         for (int x = 0; x < depth.width(); ++x) {
             if (isStrip(x, y) && runsAlong({x, y}, kStripPart, isStrip))
                 for (const Pixel& inwards : kNeighbors)

@@ -13,8 +13,8 @@
 namespace core::steps {
 namespace {
 
-constexpr std::size_t kMaxPixels = 60000;
-constexpr int kIterations = 20;
+constexpr std::size_t kMaxShadedPixels = 60000;
+constexpr int kMaxIterations = 20;
 constexpr float kMeanReflectance = 0.18f;  // what light meters are calibrated to
 constexpr float kLargestReflectance = 0.8f;
 constexpr double kBrightQuantile = 0.99;
@@ -43,7 +43,7 @@ Vector3f clampedGradient(const Vector3f& gradient) {
 Vector3f fitGradient(const std::vector<ShadedPixel>& pixels) {
     Vector3f gradient = kPriorGradient;
     if (pixels.empty()) return gradient;
-    for (int iteration = 0; iteration < kIterations; ++iteration) {
+    for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
         struct Mean {
             double weight = 0, residual = 0;
             Eigen::Vector3d slope = Eigen::Vector3d::Zero();
@@ -128,7 +128,7 @@ ShadingLight lightFromShading(const Photo& photo, const Surface& front, const St
     if (luminances.empty() || !(sum > 0)) return light;
 
     std::vector<ShadedPixel> pixels;
-    const std::size_t stride = shaded.size() / kMaxPixels + 1;
+    const std::size_t stride = shaded.size() / kMaxShadedPixels + 1;
     for (std::size_t k = 0; k < shaded.size(); k += stride) {
         const std::size_t i = shaded[k];
         const int x = static_cast<int>(i) % photo.color.width();

@@ -10,7 +10,7 @@
 namespace core::steps {
 namespace {
 
-constexpr int kWidths = 33;
+constexpr int kWidthCount = 33;
 constexpr float kMinKnown = 0.75f;  // of a lobe, for a probe to count
 constexpr std::size_t kMinProbes = 50;
 /// The best width has to explain the probes this much better than the widest lobe does, which must leave at least
@@ -25,7 +25,7 @@ float ringEdge(int i) {
 
 float widthAt(int i) {
     return kMinLobeWidth *
-           std::pow(kMaxLobeWidth / kMinLobeWidth, static_cast<float>(i) / static_cast<float>(kWidths - 1));
+           std::pow(kMaxLobeWidth / kMinLobeWidth, static_cast<float>(i) / static_cast<float>(kWidthCount - 1));
 }
 
 struct Prediction {
@@ -91,8 +91,8 @@ std::optional<LobeFit> fitLobe(std::span<const LobeProbe> all) {
     if (probes.size() < kMinProbes) return std::nullopt;
 
     std::vector<Vector3f> predictions(probes.size());
-    std::array<double, kWidths> errors{};
-    for (int w = 0; w < kWidths; ++w) {
+    std::array<double, kWidthCount> errors{};
+    for (int w = 0; w < kWidthCount; ++w) {
         for (std::size_t i = 0; i < probes.size(); ++i) predictions[i] = predict(probes[i], widthAt(w)).incident;
         const Vector3f rho = trimmedRatio(probes, predictions);
         double error = 0;
@@ -110,7 +110,7 @@ std::optional<LobeFit> fitLobe(std::span<const LobeProbe> all) {
     fit.probes = probes.size();
     // The minimum of a parabola through the best width and its neighbours, in log α.
     double shift = 0;
-    if (best > 0 && best + 1 < kWidths) {
+    if (best > 0 && best + 1 < kWidthCount) {
         const double a = errors[static_cast<std::size_t>(best) - 1] - least;
         const double b = errors[static_cast<std::size_t>(best) + 1] - least;
         if (a + b > 0) shift = 0.5 * (a - b) / (a + b);

@@ -17,9 +17,9 @@
 namespace core::steps {
 namespace {
 
-constexpr const char* kName = "Reflectance";
+constexpr const char* kReflectanceStep = "Reflectance";
 constexpr int kIncidentRays = 1 << 16;
-constexpr std::size_t kMaxPixels = 400000;  // of a segment that are traced; more would not be seen in the maps
+constexpr std::size_t kMaxTracedPixels = 400000;  // of a segment that are traced; more would not be seen in the maps
 constexpr std::size_t kMaxProbes = 1500;
 /// Codes just below the largest count as clipped too: sharpening and compression leave them there.
 constexpr float kClipMargin = 0.98f;
@@ -400,12 +400,12 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
         center /= static_cast<double>(pixels.size());
         result.view = center.normalized().cast<float>();
         const auto& used = interior.empty() ? pixels : interior;
-        const std::size_t stride = used.size() / kMaxPixels + 1;
+        const std::size_t stride = used.size() / kMaxTracedPixels + 1;
         mirrors.resize(used.size() / stride);
         constexpr std::size_t kChunk = 512;
         const auto forEachMirror = [&](const auto& visit, float begin, float end) {
             parallelFor(
-                context, kName, static_cast<int>((mirrors.size() + kChunk - 1) / kChunk),
+                context, kReflectanceStep, static_cast<int>((mirrors.size() + kChunk - 1) / kChunk),
                 [&](int chunk) {
                     const std::size_t first = static_cast<std::size_t>(chunk) * kChunk;
                     for (std::size_t i = first; i < std::min(mirrors.size(), first + kChunk); ++i) visit(i);
@@ -426,7 +426,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
                 mirrored[i] = {mirror.origin, mirror.direction};
             },
             0, 0.05f);
-        const auto hits = marcher.march(mirrored, 0, {context, kName, part(0.05f), part(0.35f)});
+        const auto hits = marcher.march(mirrored, 0, {context, kReflectanceStep, part(0.05f), part(0.35f)});
         std::vector<float> weights(mirrors.size(), 1.0f);
         const int block = std::max(kMinBlock, static_cast<int>(std::sqrt(static_cast<double>(pixels.size())) / 8));
         forEachMirror(
@@ -462,7 +462,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
         std::vector<MarchRay> rays;
         for (int i = 0; i < kIncidentRays; ++i)
             rays.push_back({center.cast<float>(), fibonacciDirection(i, kIncidentRays)});
-        const auto ends = marcher.march(rays, label, {context, kName, part(0.4f), part(0.6f)});
+        const auto ends = marcher.march(rays, label, {context, kReflectanceStep, part(0.4f), part(0.6f)});
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const Ending ray = tracer.endingOf(ends[i], rays[i], label);
             if (ray.kind == Ending::Known || ray.kind == Ending::Distant) incident.add(ray.direction, ray.color);
@@ -484,7 +484,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
     estimate.rho = better.rho;
     if (estimate.reliable) {
         const auto fit = probeAndFit(tracer, marcher, mirrors, label, result.missed, better.rho,
-                                     {context, kName, part(0.6f), part(0.8f)});
+                                     {context, kReflectanceStep, part(0.6f), part(0.8f)});
         if (fit && fit->reliable) {
             estimate.alpha = fit->alpha;
             estimate.alphaReliable = true;
@@ -502,9 +502,9 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
     }
     const Vector3f fallback = meanColor(photo.color);
     const EnvironmentFill fill = scene.environment.fill;
-    fillDirections(filled, fill, fallback, kName, context, part(0.8f), part(0.9f));
+    fillDirections(filled, fill, fallback, kReflectanceStep, context, part(0.8f), part(0.9f));
     estimate.incident.radiance = std::move(filled.radiance);
-    fillDirections(estimate.reflected, fill, fallback, kName, context, part(0.9f), part(1));
+    fillDirections(estimate.reflected, fill, fallback, kReflectanceStep, context, part(0.9f), part(1));
 
     if (!estimate.reliable) {
         const Vector3f below = estimate.incident.mean();
@@ -521,7 +521,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
 
 Step reflectanceStep() {
     Step step;
-    step.name = kName;
+    step.name = kReflectanceStep;
     step.reads = {Item::Photo, Item::Depth, Item::Front, Item::Back, Item::Layers};
     step.writes = Item::Reflectances;
     step.params = [](const Scene& scene, Hash& hash) {

@@ -10,8 +10,8 @@
 namespace core::steps {
 namespace {
 
-constexpr std::array<float, 6> kWidths{1, 2, 4, 8, 16, 32};  // tried, in texels of the equator
-constexpr double kTolerance = 1.01;
+constexpr std::array<float, 6> kTriedWidths{1, 2, 4, 8, 16, 32};  // tried, in texels of the equator
+constexpr double kErrorTolerance = 1.01;
 using Sum = Eigen::Array4f;  // radiance times weight, weight
 
 /// Two box filters in a row; `at(i)` for i in [0, count), `wrap`: the ends meet.
@@ -104,15 +104,15 @@ float agreementWidth(const DirectionalMap& one, const DirectionalMap& other) {
             if (one.coverage(x, y) > 0 && other.coverage(x, y) > 0)
                 shared += static_cast<double>(DirectionalMap::texelSolidAngle(y, width, height));
     if (shared < kMinSharedSolidAngle) return 0;
-    std::array<double, kWidths.size() + 1> errors{};
+    std::array<double, kTriedWidths.size() + 1> errors{};
     for (std::size_t k = 0; k < errors.size(); ++k) {
-        const float sigma = k == 0 ? 0 : kWidths[k - 1];
+        const float sigma = k == 0 ? 0 : kTriedWidths[k - 1];
         errors[k] = predictionError(one, other, sigma) + predictionError(other, one, sigma);
     }
     const double best = *std::ranges::min_element(errors);
     const auto chosen = static_cast<std::size_t>(
-        std::ranges::find_if(errors, [&](double e) { return e <= kTolerance * best; }) - errors.begin());
-    return chosen == 0 ? 0 : kWidths[chosen - 1] * std::numbers::pi_v<float> / static_cast<float>(height);
+        std::ranges::find_if(errors, [&](double e) { return e <= kErrorTolerance * best; }) - errors.begin());
+    return chosen == 0 ? 0 : kTriedWidths[chosen - 1] * std::numbers::pi_v<float> / static_cast<float>(height);
 }
 
 }  // namespace core::steps

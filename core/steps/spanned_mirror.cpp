@@ -16,8 +16,8 @@ namespace {
 constexpr float kTurningAway = 0.5f;
 /// √0.5 / (√2.5 − √0.5): carries the difference of two pixels, 0.5 and 2.5 pixels inside, to the outline.
 constexpr float kToOutline = 0.81f;
-constexpr float kLargestStep = 20;  ///< [pixel widths] between those two: more is a discontinuity
-constexpr float kFarthest = 0.2f;   ///< back no farther than this part of the front's inverse depth
+constexpr float kLargestStep = 20;     ///< [pixel widths] between those two: more is a discontinuity
+constexpr float kFarthestBack = 0.2f;  ///< back no farther than this part of the front's inverse depth
 
 using Cell = MembraneCell;
 using Kind = MembraneCell::Kind;
@@ -114,10 +114,10 @@ SpannedMirror mirrorAtSpannedSurface(const SegmentPixels& segment, float shift, 
         const int y = py - box.y0;
         const float front = 1 / segment.front.depth(px, py);
         float mirror = cells(x, y).value + planeAt(x, y);
-        if (shift != 0) mirror = 1 / std::max(1 / std::max(mirror, kFarthest * front) + shift, 1e-4f);
+        if (shift != 0) mirror = 1 / std::max(1 / std::max(mirror, kFarthestBack * front) + shift, 1e-4f);
         const float back = 2 * mirror - front;
         if (cells(x, y).kind == Kind::Free && mirror > front) ++behind;
-        result.samples(x, y) = {std::max(back, kFarthest * front), Vector3f::Zero(), segment.front.color(px, py)};
+        result.samples(x, y) = {std::max(back, kFarthestBack * front), Vector3f::Zero(), segment.front.color(px, py)};
     }
     result.error = static_cast<float>(behind) / static_cast<float>(segment.pixels.size());
     return result;

@@ -13,7 +13,7 @@
 namespace core::steps {
 namespace {
 
-constexpr int kReach = 12;  ///< [px] from the outline, in steps of `kReachStep`
+constexpr int kOutlineReach = 12;  ///< [px] from the outline, in steps of `kReachStep`
 constexpr int kReachStep = 3;
 constexpr float kInlierWidths = 3;  ///< pixel widths off the plane
 constexpr double kMinInliers = 0.5;
@@ -26,7 +26,7 @@ std::vector<Vector3f> supportPointsAround(const SegmentPixels& segment) {
     for (const Pixel& pixel : segment.pixels) {
         for (const Pixel& step : kNeighbors) {
             if (segment.contains(pixel.x + step.x, pixel.y + step.y)) continue;
-            for (int k = 1; k <= kReach; k += kReachStep) {
+            for (int k = 1; k <= kOutlineReach; k += kReachStep) {
                 const int x = pixel.x + k * step.x;
                 const int y = pixel.y + k * step.y;
                 if (!segment.labels.contains(x, y) || !segment.supports[segment.labels(x, y)]) continue;

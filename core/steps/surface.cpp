@@ -12,8 +12,8 @@
 namespace core::steps {
 namespace {
 
-constexpr const char* kName = "Surface";
-constexpr float kMinCosine = 0.02f;
+constexpr const char* kSurfaceStep = "Surface";
+constexpr float kMinViewCosine = 0.02f;
 constexpr float kContourJump = 6;  ///< step over an occluding contour over the one before it
 constexpr float kNothing = 1e9f;   ///< inverse depth [1/m] that is on no plane
 
@@ -170,7 +170,7 @@ std::vector<NormalTap> normalTaps(const Camera& camera, float relativeNoise) {
 
 float patchArea(const Camera& camera, const Vector3f& position, const Vector3f& normal) {
     const float z = position.z();
-    const float cosine = std::max(std::abs(normal.dot(position)), kMinCosine * position.norm());
+    const float cosine = std::max(std::abs(normal.dot(position)), kMinViewCosine * position.norm());
     return cosine > 0 ? z * z * z / (camera.fx * camera.fy * cosine) : 0.0f;
 }
 
@@ -199,7 +199,7 @@ void computeSurface(const SurfaceInput& input, Surface& surface, const StepPart&
 
 Step surfaceStep() {
     Step step;
-    step.name = kName;
+    step.name = kSurfaceStep;
     step.reads = {Item::Photo, Item::Depth};
     step.writes = Item::Front;
     step.params = [](const Scene&, Hash&) {};
@@ -209,7 +209,7 @@ Step surfaceStep() {
         surface->depth = board.depth->depth;
         surface->color = photo.color;
         context.kernels().computeSurface({photo.camera, photo.labels, Side::Front, board.depth->relativeNoise},
-                                         *surface, {context, kName});
+                                         *surface, {context, kSurfaceStep});
         board.front = std::move(surface);
     };
     return step;

@@ -14,22 +14,22 @@ using core::Vector3f;
 using testing_support::AnalyticScene;
 using testing_support::device;
 
-constexpr int kWidth = 96;
-constexpr int kHeight = 72;
+constexpr int kPictureWidth = 96;
+constexpr int kPictureHeight = 72;
 
 /// Two balls on a floor under a coloured sky.
-AnalyticScene stillLife() {
+AnalyticScene smallStillLife() {
     return testing_support::makeAnalyticScene(
-        kWidth, kHeight,
+        kPictureWidth, kPictureHeight,
         {{Vector3f(-0.12f, 0.13f, 0.9f), 0.16f, 2, Vector3f(0.6f, 0.2f, 0.1f)},
          {Vector3f(0.2f, 0.16f, 1.05f), 0.13f, 3, Vector3f(0.1f, 0.3f, 0.7f)}},
         2.0f, [](const Vector3f& d) -> Vector3f { return Vector3f(0.6f, 0.8f, 1.2f) * (1 - 0.8f * d.y()); });
 }
 
 std::shared_ptr<const core::Mask> makeMask(const std::function<float(int, int)>& value) {
-    core::ImageF values(kWidth, kHeight);
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) values(x, y) = value(x, y);
+    core::ImageF values(kPictureWidth, kPictureHeight);
+    for (int y = 0; y < kPictureHeight; ++y)
+        for (int x = 0; x < kPictureWidth; ++x) values(x, y) = value(x, y);
     return std::make_shared<core::Mask>(values);
 }
 
@@ -83,10 +83,10 @@ core::ImageRgb finish(render::Renderer& renderer, const core::Scene& scene, cons
 }
 
 TEST(Drives, FollowTheReferenceRendererPathByPath) {
-    const AnalyticScene source = stillLife();
-    const auto detail = std::make_shared<core::ImageF>(kWidth, kHeight);
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) (*detail)(x, y) = 1 + 0.5f * std::sin(static_cast<float>(x + 2 * y));
+    const AnalyticScene source = smallStillLife();
+    const auto detail = std::make_shared<core::ImageF>(kPictureWidth, kPictureHeight);
+    for (int y = 0; y < kPictureHeight; ++y)
+        for (int x = 0; x < kPictureWidth; ++x) (*detail)(x, y) = 1 + 0.5f * std::sin(static_cast<float>(x + 2 * y));
     std::shared_ptr<core::Analysis> analysis = source.analysis();
     analysis->textureDetail = detail;
 
@@ -127,7 +127,7 @@ TEST(Drives, FollowTheReferenceRendererPathByPath) {
 }
 
 TEST(Drives, ConstantMaskIsTheConstantParameterBitForBit) {
-    const AnalyticScene source = stillLife();
+    const AnalyticScene source = smallStillLife();
     core::Scene driven = edited(source, "ggx", 3);
     driven.findSegment(2)->edit->drives = {drive("alpha", makeMask([](int, int) { return 1.0f; }), 0.9f, 0.3f)};
     core::Scene constant = edited(source, "ggx", 3);
@@ -137,7 +137,7 @@ TEST(Drives, ConstantMaskIsTheConstantParameterBitForBit) {
 }
 
 TEST(Drives, HalvesAreTheTwoConstantEdits) {
-    const AnalyticScene source = stillLife();
+    const AnalyticScene source = smallStillLife();
     render::Renderer renderer(device());
     const auto constant = [&](float albedo) {
         core::Scene scene = edited(source, "lambert", 8);
@@ -153,8 +153,8 @@ TEST(Drives, HalvesAreTheTwoConstantEdits) {
         drive("albedo", makeMask([](int x, int) { return x < 35 ? 0.0f : 1.0f; }), 0.2f, 0.7f)};
     const core::ImageRgb halves = finish(renderer, scene, source);
     int count = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kPictureHeight; ++y)
+        for (int x = 0; x < kPictureWidth; ++x) {
             if (source.photo->labels(x, y) != 2) continue;
             const Vector3f expected = x < 35 ? low(x, y) : high(x, y);
             EXPECT_LE((halves(x, y) - expected).norm(), 1e-4f * expected.norm()) << x << ' ' << y;
@@ -164,7 +164,7 @@ TEST(Drives, HalvesAreTheTwoConstantEdits) {
 }
 
 TEST(Drives, PaintingUpdatesWhatIsOnTheDevice) {
-    const AnalyticScene source = stillLife();
+    const AnalyticScene source = smallStillLife();
     core::Scene scene = edited(source, "lambert", 2);
     const auto first = makeMask([](int, int) { return 0.0f; });
     scene.findSegment(2)->edit->drives = {drive("albedo", first, 0.1f, 0.9f)};

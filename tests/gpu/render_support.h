@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/analysis.h"
+#include "core/brdf.h"
 #include "core/depth_layers.h"
 #include "core/directional_map.h"
 #include "core/scene.h"
@@ -25,6 +26,9 @@ inline gpu::Device device() {
     static const gpu::Device device = instance.requestAdapter().requestDevice({.label = "test"});
     return device;
 }
+
+/// The named BRDF as the material editor first shows it.
+inline core::Material material(const char* brdf) { return core::defaultMaterial(*core::findBrdf(brdf)); }
 
 struct Sphere {
     Vector3f center;  ///< [m]
@@ -139,6 +143,17 @@ inline AnalyticScene makeAnalyticScene(int width, int height, const std::vector<
             result.environment->radiance(x, y) = light(core::DirectionalMap::directionFromTexel(
                 {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}, 2 * rows, rows));
     return result;
+}
+
+/// Two spheres on a floor under a coloured sky; small enough for the CPU oracle.
+inline AnalyticScene stillLife() {
+    return makeAnalyticScene(120, 90,
+                             {{Vector3f(-0.12f, 0.13f, 0.9f), 0.16f, 2, Vector3f(0.6f, 0.2f, 0.1f)},
+                              {Vector3f(0.2f, 0.16f, 1.05f), 0.13f, 3, Vector3f(0.1f, 0.3f, 0.7f)}},
+                             2.0f, [](const Vector3f& d) -> Vector3f {
+                                 return Vector3f(0.6f, 0.8f, 1.2f) * (1 - 0.8f * d.y()) +
+                                        Vector3f(2, 1.5f, 1) * std::max(d.x(), 0.0f);
+                             });
 }
 
 inline Vector3f randomDirection(std::mt19937& random) {

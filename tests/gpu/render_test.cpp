@@ -21,8 +21,8 @@ namespace {
 using core::Vector3f;
 using testing_support::AnalyticScene;
 using testing_support::device;
-
-core::Material material(const char* brdf) { return core::defaultMaterial(*core::findBrdf(brdf)); }
+using testing_support::material;
+using testing_support::stillLife;
 
 core::Material ggx(float alpha) {
     core::Material m = material("ggx");
@@ -37,17 +37,6 @@ core::Material marble() {
     m.translucency->sigmaA = Vector3f(0.02f, 0.04f, 0.07f);
     m.translucency->sigmaSPrime = Vector3f(0.3f, 0.35f, 0.4f);
     return m;
-}
-
-/// Two spheres on a floor under a coloured sky; small enough for the CPU oracle.
-AnalyticScene stillLife() {
-    return testing_support::makeAnalyticScene(120, 90,
-                                              {{Vector3f(-0.12f, 0.13f, 0.9f), 0.16f, 2, Vector3f(0.6f, 0.2f, 0.1f)},
-                                               {Vector3f(0.2f, 0.16f, 1.05f), 0.13f, 3, Vector3f(0.1f, 0.3f, 0.7f)}},
-                                              2.0f, [](const Vector3f& d) -> Vector3f {
-                                                  return Vector3f(0.6f, 0.8f, 1.2f) * (1 - 0.8f * d.y()) +
-                                                         Vector3f(2, 1.5f, 1) * std::max(d.x(), 0.0f);
-                                              });
 }
 
 core::Scene edited(const AnalyticScene& source, std::uint16_t label, const core::Material& m, int samples) {

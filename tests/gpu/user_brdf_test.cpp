@@ -27,18 +27,6 @@ float pdf(vec3 wo, vec3 wi) { return ggx_lobe_pdf(vec2(alpha), wo, wi); }
 vec3 sample(vec3 wo, vec2 u) { return ggx_lobe_sample(vec2(alpha), wo, u); }
 )";
 
-core::Material material(const char* brdf) { return core::defaultMaterial(*core::findBrdf(brdf)); }
-
-AnalyticScene stillLife() {
-    return makeAnalyticScene(120, 90,
-                             {{Vector3f(-0.12f, 0.13f, 0.9f), 0.16f, 2, Vector3f(0.6f, 0.2f, 0.1f)},
-                              {Vector3f(0.2f, 0.16f, 1.05f), 0.13f, 3, Vector3f(0.1f, 0.3f, 0.7f)}},
-                             2.0f, [](const Vector3f& d) -> Vector3f {
-                                 return Vector3f(0.6f, 0.8f, 1.2f) * (1 - 0.8f * d.y()) +
-                                        Vector3f(2, 1.5f, 1) * std::max(d.x(), 0.0f);
-                             });
-}
-
 class UserBrdf : public testing::Test {
   protected:
     std::shared_ptr<const core::BrdfFile> load(const std::string& text, const std::string& name = "a") const {
@@ -54,8 +42,8 @@ class UserBrdf : public testing::Test {
 };
 
 /// Share of the segment's pixels that agree within 0.2 % + 1e-3.
-double agreement(const core::ImageRgb& actual, const core::ImageRgb& expected, const core::LabelImage& labels,
-                 std::uint16_t label) {
+double equalShare(const core::ImageRgb& actual, const core::ImageRgb& expected, const core::LabelImage& labels,
+                  std::uint16_t label) {
     double equal = 0;
     double count = 0;
     for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -147,10 +135,10 @@ TEST_F(UserBrdf, RendersAsTheSameBrdfOfTheProgram) {
         segment.edit = m;
     }
     const core::ImageRgb actual = render::renderImage(device(), user, source.analysis());
-    EXPECT_GE(agreement(actual, expected, source.photo->labels, 2), 0.97);
+    EXPECT_GE(equalShare(actual, expected, source.photo->labels, 2), 0.97);
     // The sum below the surface differs from the reference's, but not from the device's own.
     const core::ImageRgb same = render::renderImage(device(), own, source.analysis());
-    EXPECT_GE(agreement(actual, same, source.photo->labels, 3), 0.97);
+    EXPECT_GE(equalShare(actual, same, source.photo->labels, 3), 0.97);
 }
 
 TEST_F(UserBrdf, KeepsThePictureUntilAnotherIsCompiled) {

@@ -14,6 +14,11 @@
 
 namespace test {
 
+/// The four bytes of a number, little endian.
+inline std::string little32(std::uint32_t v) {
+    return {static_cast<char>(v), static_cast<char>(v >> 8U), static_cast<char>(v >> 16U), static_cast<char>(v >> 24U)};
+}
+
 /// PFM, rows given top-down (the file stores them bottom-up), little endian.
 inline void writePfm(const std::string& path, int width, int height, int channels, const std::vector<float>& values) {
     std::string bytes =

@@ -17,7 +17,7 @@
 
 namespace {
 
-const QString kSample = QStringLiteral(PATINA_SAMPLES "/studio/studio.patina");
+const QString kStudioFile = QStringLiteral(PATINA_SAMPLES "/studio/studio.patina");
 
 /// The whole window without a canvas: no Vulkan, no display.
 class Window : public testing::Test {
@@ -36,7 +36,7 @@ class Window : public testing::Test {
 };
 
 TEST_F(Window, OpensTheBundledSample) {
-    open(kSample);
+    open(kStudioFile);
     EXPECT_EQ(errorDialog(), nullptr);
     EXPECT_TRUE(window_.workspace().hasPhoto());
     EXPECT_NE(test::labelOf(window_.workspace().scene(), "vase"), 0);
@@ -45,7 +45,7 @@ TEST_F(Window, OpensTheBundledSample) {
 }
 
 TEST_F(Window, WrongFilesShowASentenceAndKeepTheDocument) {
-    open(kSample);
+    open(kStudioFile);
     window_.workspace().editScene("Rename", [](core::Scene& scene) { scene.segments[0].name = "desk"; });
     document().setSaved(document().path());
     const std::uint64_t revision = document().revision();
@@ -64,7 +64,7 @@ TEST_F(Window, WrongFilesShowASentenceAndKeepTheDocument) {
 }
 
 TEST_F(Window, UndoAndRedoAreNamedActions) {
-    open(kSample);
+    open(kStudioFile);
     EXPECT_FALSE(action("actionUndo").isEnabled());
     window_.workspace().editScene("Rename segment", [](core::Scene& scene) { scene.segments[0].name = "desk"; });
     EXPECT_TRUE(action("actionUndo").text().contains("Rename segment"));
@@ -78,20 +78,20 @@ TEST_F(Window, UndoAndRedoAreNamedActions) {
 }
 
 TEST_F(Window, SavesAndOpensAgain) {
-    open(kSample);
+    open(kStudioFile);
     window_.workspace().editScene("Rename", [](core::Scene& scene) { scene.segments[0].name = "desk"; });
     const QString path = folder_.filePath("copy.patina");
     window_.saveTo(path);
     ASSERT_TRUE(test::waitUntil([&] { return !window_.working(); }, 20000));
     EXPECT_FALSE(window_.isWindowModified());
     EXPECT_EQ(document().path(), path.toStdString());
-    open(kSample);
+    open(kStudioFile);
     open(path);
     EXPECT_EQ(document().scene().segments[0].name, "desk");
 }
 
 TEST_F(Window, SaveThatFailsKeepsTheModifiedMark) {
-    open(kSample);
+    open(kStudioFile);
     window_.workspace().editScene("Rename", [](core::Scene& scene) { scene.segments[0].name = "desk"; });
     window_.saveTo(folder_.filePath("no/such/folder/x.patina"));
     ASSERT_TRUE(test::waitUntil([&] { return !window_.working(); }, 20000));
@@ -100,7 +100,7 @@ TEST_F(Window, SaveThatFailsKeepsTheModifiedMark) {
 }
 
 TEST_F(Window, AsksBeforeLosingChanges) {
-    open(kSample);
+    open(kStudioFile);
     window_.show();
     window_.workspace().editScene("Rename", [](core::Scene& scene) { scene.segments[0].name = "desk"; });
     window_.close();
@@ -115,7 +115,7 @@ TEST_F(Window, AsksBeforeLosingChanges) {
 }
 
 TEST_F(Window, ExportsSegmentationAndEnvironment) {
-    open(kSample);
+    open(kStudioFile);
     const QString labels = folder_.filePath("labels.png");
     window_.exportSegmentation(labels);
     ASSERT_TRUE(test::waitUntil([&] { return !window_.working(); }, 20000));
@@ -129,7 +129,7 @@ TEST_F(Window, ExportsSegmentationAndEnvironment) {
 }
 
 TEST_F(Window, LayersAndExposureAgreeBetweenMenuAndToolBar) {
-    open(kSample);
+    open(kStudioFile);
     action("actionLayer_normals").trigger();
     auto* box = test::child<QComboBox>(window_, "layerBox");
     EXPECT_EQ(box->currentText(), ui::layerTitle(ui::ViewLayer::Normals));

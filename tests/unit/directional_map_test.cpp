@@ -15,8 +15,6 @@ using core::DirectionalMap;
 using core::Vector2f;
 using core::Vector3f;
 
-constexpr float kPi = std::numbers::pi_v<float>;
-
 Vector3f texelDirection(int x, int y, int width, int height) {
     return DirectionalMap::directionFromTexel({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}, width,
                                               height);
@@ -231,7 +229,7 @@ TEST(CompleteDirections, FadesFromWhatWasSeenToTheUsersMap) {
     const core::ImageRgb user(128, 64, Vector3f(3, 3, 3));
     core::steps::completeDirections(map, user, "test", {});
     EXPECT_EQ(map.radiance(10, 31).x(), 1);
-    EXPECT_NEAR(map.radiance(10, 32).x(), 3 - 2 * std::exp(-kPi / 64 / 0.06f), 0.1f);
+    EXPECT_NEAR(map.radiance(10, 32).x(), 3 - 2 * std::exp(-std::numbers::pi_v<float> / 64 / 0.06f), 0.1f);
     for (int y = 33; y < 64; ++y) EXPECT_GT(map.radiance(10, y).x(), map.radiance(10, y - 1).x() - 1e-4f);
     EXPECT_NEAR(map.radiance(10, 36).x(), 3, 0.4f);  // 13 degrees away
     EXPECT_NEAR(map.radiance(10, 50).x(), 3, 0.01f);
@@ -247,7 +245,7 @@ TEST(DirectionalAccumulator, TakesTheWeightedMeanPerTexel) {
     EXPECT_TRUE(map.radiance(3, 2).isApprox(Vector3f(2, 2, 2)));
     EXPECT_EQ(map.coverage(4, 2), 0);
     EXPECT_TRUE(map.clipped.empty());
-    EXPECT_NEAR(kPi, DirectionalMap::texelSolidAngle(0, 2, 1) / 2, 1e-5f);
+    EXPECT_NEAR(std::numbers::pi_v<float>, DirectionalMap::texelSolidAngle(0, 2, 1) / 2, 1e-5f);
 }
 
 TEST(DirectionalAccumulator, ClippedChannelsCountOnlyWhereNothingElseIsKnown) {

@@ -8,13 +8,14 @@
 #include "core/io/import/jpeg_segments.h"
 #include "core/io/project.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/image_files.h"
 #include "tests/support/photo_containers.h"
 
 using core::ErrorKind;
 
 namespace {
 
-const std::string kGoogle = "xmlns:GDepth=\"http://ns.google.com/photos/1.0/depthmap/\"";
+const std::string kDepthNamespace = "xmlns:GDepth=\"http://ns.google.com/photos/1.0/depthmap/\"";
 
 class ImportHostileTest : public testing::Test {
   protected:
@@ -49,7 +50,7 @@ class ImportHostileTest : public testing::Test {
 
     /// A JPEG whose XMP has these GDepth attributes.
     std::string gdepth(const std::string& attributes) {
-        return test::withSegments(jpeg(), test::xmpSegment(test::xmpText(kGoogle, attributes)));
+        return test::withSegments(jpeg(), test::xmpSegment(test::xmpText(kDepthNamespace, attributes)));
     }
 
     std::string depthPng() {
@@ -84,10 +85,6 @@ std::string fields(const std::string& width, const std::string& height, const st
            "\nDATA " + data + "\n";
 }
 
-std::string little32(std::uint32_t v) {
-    return {static_cast<char>(v), static_cast<char>(v >> 8U), static_cast<char>(v >> 16U), static_cast<char>(v >> 24U)};
-}
-
 }  // namespace
 
 TEST_F(ImportHostileTest, ControlTheHonestFileIsRead) {
@@ -119,9 +116,9 @@ TEST_F(ImportHostileTest, GoogleDepthThatIsNone) {
 }
 
 TEST_F(ImportHostileTest, ExtendedXmpThatDoesNotAddUp) {
-    const std::string text = test::xmpText(kGoogle, "GDepth:Data=\"" + depthPng() + "\"");
+    const std::string text = test::xmpText(kDepthNamespace, "GDepth:Data=\"" + depthPng() + "\"");
     const auto file = [&](const std::string& parts) {
-        const std::string standard = test::xmpText(kGoogle + " xmlns:n=\"http://ns.adobe.com/xmp/note/\"",
+        const std::string standard = test::xmpText(kDepthNamespace + " xmlns:n=\"http://ns.adobe.com/xmp/note/\"",
                                                    kRange + "n:HasExtendedXMP=\"" + test::kGuid + "\"");
         return test::withSegments(jpeg(), test::xmpSegment(standard) + parts);
     };
@@ -143,7 +140,7 @@ TEST_F(ImportHostileTest, ExtendedXmpThatDoesNotAddUp) {
     for (char c = 'b'; c <= 'z'; ++c)
         bomb += std::string("<!ENTITY ") + c + " \"&" + static_cast<char>(c - 1) + ";&" + static_cast<char>(c - 1) +
                 ";&" + static_cast<char>(c - 1) + ";\">";
-    bomb += "]>" + test::xmpText(kGoogle, "GDepth:Data=\"&z;\"");
+    bomb += "]>" + test::xmpText(kDepthNamespace, "GDepth:Data=\"&z;\"");
     expectRefused("bomb.jpg", file(part(bomb, 0, bomb.size())), {"base64"});
     std::string nested;
     for (int i = 0; i < 5000; ++i) nested += "<a>";
@@ -238,7 +235,8 @@ TEST_F(ImportHostileTest, PointCloudsThatCannotBe) {
 
 TEST_F(ImportHostileTest, LzfBombsAndDamage) {
     const auto file = [&](std::uint32_t packed, std::uint32_t unpacked, const std::string& block) {
-        return cloud(fields("5000", "5000", "binary_compressed"), little32(packed) + little32(unpacked) + block);
+        return cloud(fields("5000", "5000", "binary_compressed"),
+                     test::little32(packed) + test::little32(unpacked) + block);
     };
     const std::uint32_t all = 5000 * 5000 * 16;
     expectRefused("bomb.pcd", file(100, all, std::string(100, '\xff')), {"LZF"});
@@ -248,9 +246,10 @@ TEST_F(ImportHostileTest, LzfBombsAndDamage) {
     const std::string small = fields("10", "10", "binary_compressed");
     for (const std::string& block : {std::string(1700, '\xe0'), std::string(50, '\x1f'), std::string("\x00", 1),
                                      std::string(1600, '\x3f'), std::string()})
-        expectRefused("block.pcd",
-                      cloud(small, little32(static_cast<std::uint32_t>(block.size())) + little32(1600) + block),
-                      {"LZF"});
+        expectRefused(
+            "block.pcd",
+            cloud(small, test::little32(static_cast<std::uint32_t>(block.size())) + test::little32(1600) + block),
+            {"LZF"});
 }
 
 TEST_F(ImportHostileTest, CloudThatIsNoPhotograph) {

@@ -26,20 +26,17 @@ class HostileTest : public testing::Test {
     test::TempFolder folder;
 };
 
-std::string little32(std::uint32_t v) {
-    return {static_cast<char>(v), static_cast<char>(v >> 8U), static_cast<char>(v >> 16U), static_cast<char>(v >> 24U)};
-}
-
 /// An EXR header, byte by byte, one half channel Y, no compression, and an empty offset table.
 std::string exrHeader(int width, int height) {
     const auto box = [&] {
-        return little32(0) + little32(0) + little32(static_cast<std::uint32_t>(width - 1)) +
-               little32(static_cast<std::uint32_t>(height - 1));
+        return test::little32(0) + test::little32(0) + test::little32(static_cast<std::uint32_t>(width - 1)) +
+               test::little32(static_cast<std::uint32_t>(height - 1));
     };
     const auto attribute = [](const std::string& name, const std::string& type, const std::string& value) {
-        return name + '\0' + type + '\0' + little32(static_cast<std::uint32_t>(value.size())) + value;
+        return name + '\0' + type + '\0' + test::little32(static_cast<std::uint32_t>(value.size())) + value;
     };
-    const std::string channels = std::string("Y\0", 2) + little32(1) + little32(0) + little32(1) + little32(1) + '\0';
+    const std::string channels =
+        std::string("Y\0", 2) + test::little32(1) + test::little32(0) + test::little32(1) + test::little32(1) + '\0';
     const std::string one("\0\0\x80\x3f", 4);
     return std::string("\x76\x2f\x31\x01\x02\0\0\0", 8) + attribute("channels", "chlist", channels) +
            attribute("compression", "compression", std::string(1, '\0')) + attribute("dataWindow", "box2i", box()) +
@@ -83,8 +80,8 @@ TEST_F(HostileTest, ControlTheSameHeadersWithHonestSizesAreRead) {
     EXPECT_EQ(core::loadColor(folder / "ok.png").width(), 2);
     std::string exr = exrHeader(1, 1);
     const std::size_t offset = exr.size() + 8;
-    exr += little32(static_cast<std::uint32_t>(offset)) + little32(0);  // offset table
-    exr += little32(0) + little32(2) + std::string("\0\x3c", 2);        // row 0, 2 bytes, half 1.0
+    exr += test::little32(static_cast<std::uint32_t>(offset)) + test::little32(0);  // offset table
+    exr += test::little32(0) + test::little32(2) + std::string("\0\x3c", 2);        // row 0, 2 bytes, half 1.0
     test::writeBytes(folder / "ok.exr", exr);
     EXPECT_EQ(core::loadScalar(folder / "ok.exr")(0, 0), 1.0f);
 }

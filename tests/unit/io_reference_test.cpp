@@ -10,12 +10,12 @@
 
 namespace {
 
-struct Reference {
+struct ReferenceDepth {
     const char* folder;
     std::optional<double> unit;
 };
 
-class ReferenceTest : public testing::TestWithParam<Reference> {};
+class ReferenceTest : public testing::TestWithParam<ReferenceDepth> {};
 
 }  // namespace
 
@@ -51,8 +51,8 @@ TEST_P(ReferenceTest, DepthAgreesWithOtherLibraries) {
 }
 
 INSTANTIATE_TEST_SUITE_P(PlainFormats, ReferenceTest,
-                         testing::Values(Reference{"png16_tum_fr2_desk", 1.0 / 5000},
-                                         Reference{"png16_bop_lmo_desk", std::nullopt},
-                                         Reference{"exr_cleargrasp_bottles", std::nullopt},
-                                         Reference{"exr_cleargrasp_cups_mug", std::nullopt}),
+                         testing::Values(ReferenceDepth{"png16_tum_fr2_desk", 1.0 / 5000},
+                                         ReferenceDepth{"png16_bop_lmo_desk", std::nullopt},
+                                         ReferenceDepth{"exr_cleargrasp_bottles", std::nullopt},
+                                         ReferenceDepth{"exr_cleargrasp_cups_mug", std::nullopt}),
                          [](const auto& test) { return std::string(test.param.folder); });

@@ -49,19 +49,19 @@ struct ShadedBall {
     }
 };
 
-float degreesBetween(const Vector3f& a, const Vector3f& b) {
+float axisErrorDegrees(const Vector3f& a, const Vector3f& b) {
     return std::acos(std::clamp(a.dot(b), -1.0f, 1.0f)) * 57.29578f;
 }
 
 TEST(LightFromShading, FindsTheDirectionWhateverTheAlbedos) {
     const Vector3f axis = Vector3f(0.8f, -0.5f, -0.4f).normalized();
     const ShadedBall plain([&](const Vector3f& n) { return 1 + 0.8f * axis.dot(n); });
-    EXPECT_LT(degreesBetween(plain.light().axis, axis), 3);
+    EXPECT_LT(axisErrorDegrees(plain.light().axis, axis), 3);
     const float k = plain.light().concentration;
     EXPECT_NEAR(2 * (1 / std::tanh(k) - 1 / k), 0.8f, 0.06f) << "gradient of the irradiance";
 
     const ShadedBall textured([&](const Vector3f& n) { return 1 + 0.8f * axis.dot(n); }, 0.4f);
-    EXPECT_LT(degreesBetween(textured.light().axis, axis), 8);
+    EXPECT_LT(axisErrorDegrees(textured.light().axis, axis), 8);
 }
 
 TEST(LightFromShading, OutliersDoNotPull) {
@@ -69,7 +69,7 @@ TEST(LightFromShading, OutliersDoNotPull) {
     ShadedBall ball([&](const Vector3f& n) { return 1 + 0.6f * axis.dot(n); });
     for (int y = 20; y < 50; ++y)  // a dark print
         for (int x = 70; x < 90; ++x) ball.photo.color(x, y) *= 0.02f;
-    EXPECT_LT(degreesBetween(ball.light().axis, axis), 10);
+    EXPECT_LT(axisErrorDegrees(ball.light().axis, axis), 10);
 }
 
 TEST(LightFromShading, ALampFillsTheSphereWithTheRadianceItClaims) {
@@ -91,7 +91,7 @@ TEST(LightFromShading, ALampFillsTheSphereWithTheRadianceItClaims) {
 TEST(LightFromShading, NothingCurvedIsLitFromAbove) {
     ShadedBall flat([](const Vector3f&) { return 1.0f; });
     for (Vector3f& n : flat.front.normal.pixels()) n = {0, 0, -1};
-    EXPECT_LT(degreesBetween(flat.light().axis, {0, -1, 0}), 1);
+    EXPECT_LT(axisErrorDegrees(flat.light().axis, {0, -1, 0}), 1);
 }
 
 /// Radiance that what faces the camera gets on the average.
@@ -107,7 +107,7 @@ float received(const ShadedBall& ball) {
 TEST(LightFromShading, WithoutSegmentsItIsFromAbove) {
     ShadedBall ball([](const Vector3f& n) { return 1 + 0.5f * n.x(); });
     for (std::uint16_t& label : ball.photo.labels.pixels()) label = 0;
-    EXPECT_LT(degreesBetween(ball.light().axis, {0, -1, 0}), 1);
+    EXPECT_LT(axisErrorDegrees(ball.light().axis, {0, -1, 0}), 1);
     EXPECT_GT(ball.light().mean, 0);
 }
 

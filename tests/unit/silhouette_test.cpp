@@ -9,23 +9,23 @@
 namespace core {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kPictureSize = 64;
 
 /// A ball of `radius` pixels before a background, each pixel the mean of 16 x 16 samples; labels and depth, as cameras
 /// and annotators give them, are those of the pixel's centre.
 struct Photograph {
-    ImageRgb color{kSize, kSize};
-    LabelImage labels{kSize, kSize};
-    ImageF depth{kSize, kSize};
-    ImageF coverage{kSize, kSize};  ///< true
+    ImageRgb color{kPictureSize, kPictureSize};
+    LabelImage labels{kPictureSize, kPictureSize};
+    ImageF depth{kPictureSize, kPictureSize};
+    ImageF coverage{kPictureSize, kPictureSize};  ///< true
 };
 using Radiance = std::function<Vector3f(float x, float y)>;
 Photograph photograph(float radius, const Radiance& ball, const Radiance& background) {
     constexpr int kGrid = 16;
     Photograph p;
     const auto covered = [&](float x, float y) { return std::hypot(x - 31.3f, y - 32.6f) < radius; };
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < kPictureSize; ++y)
+        for (int x = 0; x < kPictureSize; ++x) {
             Vector3f sum = Vector3f::Zero();
             float inside = 0;
             for (int j = 0; j < kGrid; ++j)
@@ -47,8 +47,8 @@ Photograph photograph(float radius, const Radiance& ball, const Radiance& backgr
 /// What stopping at the label does (`corrected` false), or what the list says.
 ImageRgb edited(const Photograph& p, const Radiance& material, bool corrected) {
     ImageRgb result = p.color;
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x)
+    for (int y = 0; y < kPictureSize; ++y)
+        for (int x = 0; x < kPictureSize; ++x)
             if (p.labels(x, y) == 2)
                 result(x, y) = material(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
     if (!corrected) return result;
@@ -99,8 +99,8 @@ TEST(Silhouette, BelievesTheLabelWhereColoursDoNotTell) {
 TEST(Silhouette, KeepsEverythingElse) {
     const Photograph p = photograph(20.4f, kGold, kTable);
     const ImageRgb result = edited(p, kBlue, true);
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < kPictureSize; ++y)
+        for (int x = 0; x < kPictureSize; ++x) {
             if (p.coverage(x, y) > 0) continue;
             EXPECT_EQ(result(x, y), p.color(x, y)) << x << " " << y;
         }
@@ -122,7 +122,7 @@ TEST(Silhouette, LeavesOtherEditedSegmentsAndThinOrEmptyOnesAlone) {
         EXPECT_EQ(p.labels(s.x, s.y), 2);
     const Photograph thin = photograph(1.2f, kGold, kTable);
     EXPECT_TRUE(findSilhouette(thin.color, thin.labels, thin.depth, 2, {0, 0, 1}).empty()) << "no clean inside";
-    EXPECT_TRUE(findSilhouette(p.color, p.labels, ImageF(kSize, kSize, 0.0f), 2, {0, 0, 1}).empty());
+    EXPECT_TRUE(findSilhouette(p.color, p.labels, ImageF(kPictureSize, kPictureSize, 0.0f), 2, {0, 0, 1}).empty());
     EXPECT_TRUE(findSilhouette(p.color, p.labels, p.depth, 7, {0, 0, 1}).empty());
 }
 

@@ -13,14 +13,14 @@ using core::upsampleDepth;
 using core::Vector3f;
 
 constexpr int kFactor = 5;
-constexpr int kWidth = 300;
-constexpr int kHeight = 200;
+constexpr int kLargeWidth = 300;
+constexpr int kLargeHeight = 200;
 
 /// A plane of inverse depth at map coordinates of the large picture.
 float planeAt(float x, float y) { return 1 / (1.2f + 0.002f * x - 0.001f * y); }
 
 ImageF smallPlane() {
-    ImageF depth(kWidth / kFactor, kHeight / kFactor);
+    ImageF depth(kLargeWidth / kFactor, kLargeHeight / kFactor);
     for (int y = 0; y < depth.height(); ++y)
         for (int x = 0; x < depth.width(); ++x)
             depth(x, y) = planeAt((static_cast<float>(x) + 0.5f) * kFactor, (static_cast<float>(y) + 0.5f) * kFactor);
@@ -30,8 +30,8 @@ ImageF smallPlane() {
 /// A disc in front of a wall. Its outline in the small map is off by up to half a pixel of the map, and the pixels of
 /// the map that it cuts lie between the surfaces, as sensors and phones deliver them.
 struct Disc {
-    ImageRgb color{kWidth, kHeight, Vector3f(0.1f, 0.15f, 0.1f)};
-    ImageF small{kWidth / kFactor, kHeight / kFactor};
+    ImageRgb color{kLargeWidth, kLargeHeight, Vector3f(0.1f, 0.15f, 0.1f)};
+    ImageF small{kLargeWidth / kFactor, kLargeHeight / kFactor};
     static bool inside(int x, int y) { return std::hypot(x + 0.5 - 148, y + 0.5 - 97) < 61; }
     Disc() {
         for (int j = 0; j < small.height(); ++j) {
@@ -52,9 +52,9 @@ struct Disc {
 };
 
 TEST(UpsampleDepth, APlaneStaysThatPlaneUpToTheBorder) {
-    const ImageF large = upsampleDepth(smallPlane(), kWidth, kHeight, nullptr);
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x)
+    const ImageF large = upsampleDepth(smallPlane(), kLargeWidth, kLargeHeight, nullptr);
+    for (int y = 0; y < kLargeHeight; ++y)
+        for (int x = 0; x < kLargeWidth; ++x)
             ASSERT_NEAR(large(x, y), planeAt(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f), 2e-4f)
                 << x << " " << y;
 }
@@ -69,9 +69,9 @@ TEST(UpsampleDepth, ASphereHasNoFacets) {
     for (int y = 0; y < depth.height(); ++y)
         for (int x = 0; x < depth.width(); ++x)
             depth(x, y) = truth((static_cast<float>(x) + 0.5f) * kFactor, (static_cast<float>(y) + 0.5f) * kFactor);
-    const ImageF large = upsampleDepth(depth, kWidth, kHeight, nullptr);
-    for (int y = 20; y < kHeight - 20; ++y) {
-        for (int x = 20; x < kWidth - 20; ++x) {
+    const ImageF large = upsampleDepth(depth, kLargeWidth, kLargeHeight, nullptr);
+    for (int y = 20; y < kLargeHeight - 20; ++y) {
+        for (int x = 20; x < kLargeWidth - 20; ++x) {
             const auto slope = [&](const auto& z) { return (z(x + 1) - z(x - 1)) / 2; };
             const float found = slope([&](int i) { return large(i, y); });
             const float expected =
@@ -86,15 +86,15 @@ TEST(UpsampleDepth, EdgesFollowTheColours) {
     const Disc disc;
     const auto wrong = [&](const ImageF& large) {
         int count = 0;
-        for (int y = 0; y < kHeight; ++y)
-            for (int x = 0; x < kWidth; ++x) {
+        for (int y = 0; y < kLargeHeight; ++y)
+            for (int x = 0; x < kLargeWidth; ++x) {
                 const float expected = Disc::inside(x, y) ? 0.5f : 1.0f;
                 count += std::abs(large(x, y) - expected) > 0.05f ? 1 : 0;
             }
         return count;
     };
-    const int guided = wrong(upsampleDepth(disc.small, kWidth, kHeight, &disc.color));
-    const int blind = wrong(upsampleDepth(disc.small, kWidth, kHeight, nullptr));
+    const int guided = wrong(upsampleDepth(disc.small, kLargeWidth, kLargeHeight, &disc.color));
+    const int blind = wrong(upsampleDepth(disc.small, kLargeWidth, kLargeHeight, nullptr));
     // The outline is 383 pixels long.
     EXPECT_LE(guided, 12);
     EXPECT_GT(blind, 60) << "the colours are what decides";
@@ -102,7 +102,7 @@ TEST(UpsampleDepth, EdgesFollowTheColours) {
 
 TEST(UpsampleDepth, NoPixelLiesBetweenTheSurfaces) {
     const Disc disc;
-    const ImageF large = upsampleDepth(disc.small, kWidth, kHeight, nullptr);
+    const ImageF large = upsampleDepth(disc.small, kLargeWidth, kLargeHeight, nullptr);
     for (const float z : large.pixels()) {
         // Within a tenth of the jump: pixels of the map that hold little of the other surface have some weight.
         ASSERT_LT(std::min(std::abs(1 / z - 2), std::abs(1 / z - 1)), 0.1f) << z;
@@ -114,10 +114,10 @@ TEST(UpsampleDepth, HolesRemainAndLonePixelsAreFilled) {
     depth(10, 10) = 0;
     for (int y = 20; y < 30; ++y)
         for (int x = 20; x < 30; ++x) depth(x, y) = 0;
-    const ImageRgb grey(kWidth, kHeight, Vector3f(0.5f, 0.5f, 0.5f));
-    const ImageF large = upsampleDepth(depth, kWidth, kHeight, &grey);
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
+    const ImageRgb grey(kLargeWidth, kLargeHeight, Vector3f(0.5f, 0.5f, 0.5f));
+    const ImageF large = upsampleDepth(depth, kLargeWidth, kLargeHeight, &grey);
+    for (int y = 0; y < kLargeHeight; ++y) {
+        for (int x = 0; x < kLargeWidth; ++x) {
             const bool deep = x >= 105 && x < 145 && y >= 105 && y < 145;
             const bool outside = x < 95 || x >= 155 || y < 95 || y >= 155;
             if (deep) {

@@ -31,7 +31,6 @@ namespace ui {
 
 namespace {
 
-constexpr int kLabelWidth = 104;
 /// Editors write a file in several steps.
 constexpr int kReloadDelayMs = 150;
 

@@ -15,7 +15,6 @@ namespace ui {
 
 namespace {
 constexpr int kSteps = 1000;
-constexpr int kLabelWidth = 104;
 constexpr int kSpinWidth = 96;
 }  // namespace
 

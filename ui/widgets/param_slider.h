@@ -9,6 +9,8 @@ class QSlider;
 
 namespace ui {
 
+inline constexpr int kLabelWidth = 104;  ///< [px] at least, so that the controls of a panel line up
+
 /// What a scalar control shows: the same table the BRDFs declare (shaders/brdf), in Qt's terms.
 struct ParamSpec {
     QString key;    ///< object name of the control; its parts are `<key>Slider` and `<key>Spin`

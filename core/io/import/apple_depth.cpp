@@ -11,13 +11,13 @@ namespace core {
 namespace {
 
 constexpr const char* kPixels = "http://ns.apple.com/pixeldatainfo/1.0/";
-constexpr const char* kDepth = "http://ns.apple.com/depthData/1.0/";
+constexpr const char* kAppleDepth = "http://ns.apple.com/depthData/1.0/";
 
 /// The matrix is stored column by column.
 std::optional<Camera> readCamera(const Xmp& xmp) {
-    const std::vector<double> m = xmp.numbers(kDepth, "IntrinsicMatrix");
-    const auto width = xmp.number(kDepth, "IntrinsicMatrixReferenceWidth");
-    const auto height = xmp.number(kDepth, "IntrinsicMatrixReferenceHeight");
+    const std::vector<double> m = xmp.numbers(kAppleDepth, "IntrinsicMatrix");
+    const auto width = xmp.number(kAppleDepth, "IntrinsicMatrixReferenceWidth");
+    const auto height = xmp.number(kAppleDepth, "IntrinsicMatrixReferenceHeight");
     if (m.size() != 9 || !width || !height) return std::nullopt;
     if (!(*width >= 1 && *width <= kMaxImageSide && *height >= 1 && *height <= kMaxImageSide)) return std::nullopt;
     return Camera{static_cast<int>(*width), static_cast<int>(*height), static_cast<float>(m[0]),
@@ -43,7 +43,7 @@ std::optional<AppleDepth> readAppleDepth(const ImportFile& file, const Xmp& xmp)
         file.fail("its " + *type + " image has integers from IntMinValue " + std::to_string(apple.leastStored) +
                   " to IntMaxValue " + std::to_string(apple.mostStored) + ", expected a range");
     apple.camera = readCamera(xmp);
-    apple.relative = xmp.text(kDepth, "Accuracy") == "relative";
+    apple.relative = xmp.text(kAppleDepth, "Accuracy") == "relative";
     return apple;
 }
 

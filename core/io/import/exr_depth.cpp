@@ -8,12 +8,12 @@ namespace core {
 
 namespace {
 
-bool recognises(const ImportFile& file) {
+bool recognisesExrDepth(const ImportFile& file) {
     return file.head().starts_with("\x76\x2f\x31\x01") && readImageInfo(file.path()).hasDepthChannel;
 }
 
 /// A renderer's picture: values of channel Z in its own unit, metres unless the user says otherwise.
-ImportedPhoto read(const ImportFile& file) {
+ImportedPhoto readExrDepth(const ImportFile& file) {
     ImportedPhoto photo;
     photo.color = loadColor(file.path());
     photo.clipLevel = std::numeric_limits<float>::infinity();
@@ -24,6 +24,6 @@ ImportedPhoto read(const ImportFile& file) {
 
 }  // namespace
 
-const ImportFormat exrDepthFormat{"channel Z of an EXR file", recognises, read};
+const ImportFormat exrDepthFormat{"channel Z of an EXR file", recognisesExrDepth, readExrDepth};
 
 }  // namespace core

@@ -33,7 +33,7 @@ struct Release {
 template <class T>
 using Owned = std::unique_ptr<T, Release>;
 
-bool recognises(const ImportFile& file) {
+bool recognisesHeifDepth(const ImportFile& file) {
     const std::string& head = file.head();
     if (head.size() < 12 || head.compare(4, 4, "ftyp") != 0) return false;
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(head.data());
@@ -206,7 +206,7 @@ std::optional<int> orientationBetween(const ImageF& stored, const ImageF& displa
     return std::nullopt;
 }
 
-ImportedPhoto read(const ImportFile& file) {
+ImportedPhoto readHeifDepth(const ImportFile& file) {
     const HeifReader reader(file);
     ImportedPhoto photo;
     photo.color = reader.readColor();
@@ -227,6 +227,6 @@ ImportedPhoto read(const ImportFile& file) {
 
 }  // namespace
 
-const ImportFormat heifDepthFormat{"the auxiliary depth image of a HEIC file", recognises, read};
+const ImportFormat heifDepthFormat{"the auxiliary depth image of a HEIC file", recognisesHeifDepth, readHeifDepth};
 
 }  // namespace core

@@ -10,11 +10,11 @@ namespace core {
 
 namespace {
 
-constexpr const char* kDepth = "http://ns.google.com/photos/1.0/depthmap/";
+constexpr const char* kGoogleDepth = "http://ns.google.com/photos/1.0/depthmap/";
 constexpr const char* kImage = "http://ns.google.com/photos/1.0/image/";
 
-bool recognises(const ImportFile& file) {
-    return file.head().starts_with("\xff\xd8\xff") && readJpegXmp(file.bytes()).text(kDepth, "Format");
+bool recognisesGdepth(const ImportFile& file) {
+    return file.head().starts_with("\xff\xd8\xff") && readJpegXmp(file.bytes()).text(kGoogleDepth, "Format");
 }
 
 /// The picture before the camera's artificial blur when it is there, else the picture of the JPEG.
@@ -26,10 +26,10 @@ ImageRgb readColor(const ImportFile& file, const Xmp& xmp, int orientation) {
     return applyOrientation(loadColor(std::move(image)), turned ? 1 : orientation);
 }
 
-ImportedPhoto read(const ImportFile& file) {
+ImportedPhoto readGdepth(const ImportFile& file) {
     std::string damage;
     const Xmp xmp = readJpegXmp(file.bytes(), &damage);
-    const auto data = xmp.text(kDepth, "Data");
+    const auto data = xmp.text(kGoogleDepth, "Data");
     if (!data)
         file.fail(damage.empty() ? "its XMP has no GDepth:Data, expected the depth map that GDepth:Format announces"
                                  : damage);
@@ -38,12 +38,12 @@ ImportedPhoto read(const ImportFile& file) {
     photo.orientation = info.orientation;
     photo.focal35mm = info.focal35mm;
     photo.color = readColor(file, xmp, info.orientation);
-    photo.depth =
-        decodeRange(file, embeddedImage(file, *data, "the depth map"),
-                    {xmp.text(kDepth, "Format").value_or(""), xmp.number(kDepth, "Near"), xmp.number(kDepth, "Far")},
-                    info.orientation);
-    photo.kind = xmp.text(kDepth, "MeasureType") == "OpticRay" ? DepthKind::Distance : DepthKind::Z;
-    const auto unit = xmp.text(kDepth, "Units");
+    photo.depth = decodeRange(file, embeddedImage(file, *data, "the depth map"),
+                              {xmp.text(kGoogleDepth, "Format").value_or(""), xmp.number(kGoogleDepth, "Near"),
+                               xmp.number(kGoogleDepth, "Far")},
+                              info.orientation);
+    photo.kind = xmp.text(kGoogleDepth, "MeasureType") == "OpticRay" ? DepthKind::Distance : DepthKind::Z;
+    const auto unit = xmp.text(kGoogleDepth, "Units");
     if (unit == "mm") photo.unit = 0.001;
     if (unit != "mm" && unit != "m")
         photo.assumedUnit = "The depth inside \"" + file.path() +
@@ -53,6 +53,6 @@ ImportedPhoto read(const ImportFile& file) {
 
 }  // namespace
 
-const ImportFormat jpegGdepthFormat{"a Google depth map (GDepth) in a JPEG", recognises, read};
+const ImportFormat jpegGdepthFormat{"a Google depth map (GDepth) in a JPEG", recognisesGdepth, readGdepth};
 
 }  // namespace core

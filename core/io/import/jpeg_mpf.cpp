@@ -54,11 +54,11 @@ std::vector<std::string_view> secondaryPictures(std::string_view stream) {
     return pictures;
 }
 
-bool recognises(const ImportFile& file) {
+bool recognisesMpf(const ImportFile& file) {
     return file.head().starts_with("\xff\xd8\xff") && !secondaryPictures(file.bytes()).empty();
 }
 
-ImportedPhoto read(const ImportFile& file) {
+ImportedPhoto readMpf(const ImportFile& file) {
     const ImageInfo info = readImageInfo(file.path());
     ImportedPhoto photo;
     photo.orientation = info.orientation;
@@ -81,6 +81,6 @@ ImportedPhoto read(const ImportFile& file) {
 
 }  // namespace
 
-const ImportFormat jpegMpfFormat{"the depth of an Apple camera in a JPEG (MPF)", recognises, read};
+const ImportFormat jpegMpfFormat{"the depth of an Apple camera in a JPEG (MPF)", recognisesMpf, readMpf};
 
 }  // namespace core

@@ -15,11 +15,11 @@ namespace {
 
 constexpr const char* kDevice = "http://ns.xdm.org/photos/1.0/device/";
 constexpr const char* kCamera = "http://ns.xdm.org/photos/1.0/camera/";
-constexpr const char* kDepth = "http://ns.xdm.org/photos/1.0/depthmap/";
+constexpr const char* kXdmDepth = "http://ns.xdm.org/photos/1.0/depthmap/";
 constexpr const char* kPerspective = "http://ns.xdm.org/photos/1.0/perspectivemodel/";
 constexpr float kSaturated = 65535;  // RealSense: nothing measured
 
-bool recognises(const ImportFile& file) {
+bool recognisesXdm(const ImportFile& file) {
     if (!file.head().starts_with("\xff\xd8\xff")) return false;
     const Xmp xmp = readJpegXmp(file.bytes());
     return !xmp.items(kDevice, "Cameras").empty() || xmp.has(kDevice, "Revision");
@@ -43,23 +43,23 @@ std::optional<Camera> readCamera(const XmpNode& node, int width, int height) {
                   static_cast<float>(*cy * height)};
 }
 
-ImportedPhoto read(const ImportFile& file) {
+ImportedPhoto readXdm(const ImportFile& file) {
     std::string damage;
     const Xmp xmp = readJpegXmp(file.bytes(), &damage);
     for (const XmpNode& camera : xmp.items(kDevice, "Cameras")) {
         const auto map = camera.child(kCamera, "DepthMap");
-        const auto data = map ? map->text(kDepth, "Data") : std::nullopt;
+        const auto data = map ? map->text(kXdmDepth, "Data") : std::nullopt;
         if (!data) continue;
         const ImageInfo info = readImageInfo(file.path());
         ImportedPhoto photo;
         photo.orientation = info.orientation;
         photo.focal35mm = info.focal35mm;
         photo.color = loadColor(file.path());
-        const DepthRange range{map->text(kDepth, "Format").value_or(""), map->number(kDepth, "Near"),
-                               map->number(kDepth, "Far")};
+        const DepthRange range{map->text(kXdmDepth, "Format").value_or(""), map->number(kXdmDepth, "Near"),
+                               map->number(kXdmDepth, "Far")};
         photo.depth = decodeRange(file, embeddedImage(file, *data, "the depth map"), range, info.orientation);
         photo.kind = DepthKind::Z;
-        const std::string metric = map->text(kDepth, "Metric").value_or("");
+        const std::string metric = map->text(kXdmDepth, "Metric").value_or("");
         if (metric != "True" && metric != "true" && metric != "1") {
             const bool millimetres = range.near == 0.0 && range.far == static_cast<double>(kSaturated);
             if (millimetres) {
@@ -81,6 +81,6 @@ ImportedPhoto read(const ImportFile& file) {
 
 }  // namespace
 
-const ImportFormat jpegXdmFormat{"a depth map of extensible device metadata (XDM) in a JPEG", recognises, read};
+const ImportFormat jpegXdmFormat{"a depth map of extensible device metadata (XDM) in a JPEG", recognisesXdm, readXdm};
 
 }  // namespace core

@@ -14,7 +14,7 @@ namespace {
 constexpr double kMaxResidual = 2;           // of the pin-hole fit [px]
 constexpr std::size_t kMinimalPoints = 100;  // that a fit can be trusted with
 
-bool recognises(const ImportFile& file) {
+bool recognisesPcd(const ImportFile& file) {
     return file.head().starts_with("# .PCD") ||
            (file.head().starts_with("VERSION") && file.head().find("\nFIELDS ") != std::string::npos);
 }
@@ -86,7 +86,7 @@ Camera fitCamera(const ImportFile& file, const PcdPoints& points, const PcdField
     return camera;
 }
 
-ImportedPhoto read(const ImportFile& file) {
+ImportedPhoto readPcd(const ImportFile& file) {
     const PcdPoints points(file);
     const PcdHeader& header = points.header();
     const PcdField& x = requireReal(file, header, "x");
@@ -115,6 +115,6 @@ ImportedPhoto read(const ImportFile& file) {
 
 }  // namespace
 
-const ImportFormat pcdFormat{"an organised point cloud (PCD)", recognises, read};
+const ImportFormat pcdFormat{"an organised point cloud (PCD)", recognisesPcd, readPcd};
 
 }  // namespace core

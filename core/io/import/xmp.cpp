@@ -12,12 +12,12 @@ namespace core {
 namespace {
 
 constexpr std::string_view kRdf = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
-constexpr int kMaxDepth = 64;  // of elements, when a prefix is looked up
+constexpr int kMaxAncestors = 64;  // of elements, when a prefix is looked up
 
 /// Namespace that a prefix stands for at `node`.
 std::string_view namespaceOf(pugi::xml_node node, std::string_view prefix) {
     const std::string attribute = prefix.empty() ? "xmlns" : "xmlns:" + std::string(prefix);
-    for (int depth = 0; node && depth < kMaxDepth; ++depth, node = node.parent())
+    for (int depth = 0; node && depth < kMaxAncestors; ++depth, node = node.parent())
         if (const pugi::xml_attribute found = node.attribute(attribute.c_str())) return found.value();
     return {};
 }
