@@ -11,6 +11,7 @@
 layout(set = 0, binding = CANVAS_PICTURE) uniform texture2D picture;
 layout(set = 0, binding = CANVAS_LABELS) uniform utexture2D labels;
 layout(set = 0, binding = CANVAS_MASK) uniform texture2D mask;
+layout(set = 0, binding = CANVAS_RULER_IMAGE) uniform texture2D rulerImage;
 layout(push_constant) uniform Block { CanvasBlock block; };
 layout(location = 0) out vec4 target;
 
@@ -76,6 +77,10 @@ void main() {
         if (inside) display = mix(display, vec3(0.85, 0.12, 0.10), 0.6 * texelFetch(mask, ivec2(floor(p)), 0).r);
         float edge = abs(distance(p, block.brushCenter) - block.brushRadius) / block.step;
         if (edge < 1.5) display = edge < 0.75 ? vec3(1.0) : vec3(0.1);
+    }
+    if ((kFlags & CANVAS_RULER) != 0u) {
+        vec4 ruler = texelFetch(rulerImage, ivec2(gl_FragCoord.xy - block.ruler), 0);
+        display = ruler.rgb + (1.0 - ruler.a) * display;
     }
     if ((kFlags & CANVAS_TARGET_ENCODES) != 0u) display = decode(display);
     target = vec4(display, 1.0);

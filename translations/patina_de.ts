@@ -1331,6 +1331,14 @@
         <source>Exported %1</source>
         <translation>%1 exportiert</translation>
     </message>
+    <message>
+        <source>&amp;Ruler</source>
+        <translation>Maß&amp;stab</translation>
+    </message>
+    <message>
+        <source>Show how large the selected translucent object is, in its substance</source>
+        <translation>Zeigen, wie groß das gewählte durchscheinende Objekt für seinen Stoff ist</translation>
+    </message>
 </context>
 <context>
     <name>ui::MapView</name>

@@ -216,6 +216,12 @@ void Canvas::setBrushRadius(float radius) {
     window_->setBrushRadius(radius);
 }
 
+void Canvas::setRuler(double millimetres) {
+    if (window_ == nullptr || window_->state().rulerMillimetres == millimetres) return;
+    window_->state().rulerMillimetres = millimetres;
+    window_->redraw();
+}
+
 void Canvas::setExposure(float stops) {
     if (window_ == nullptr) return;
     window_->state().exposureStops = stops;

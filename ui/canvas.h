@@ -71,6 +71,8 @@ class Canvas : public QWidget {
     void setMask(std::shared_ptr<const core::Mask> mask);
     /// Radius [picture pixels] of the brush that the left button paints with; 0 = it selects and moves the picture.
     void setBrushRadius(float radius);
+    /// A ruler in a corner, for `millimetres` a picture pixel; 0 = none.
+    void setRuler(double millimetres);
     void setExposure(float stops);
     void setComparing(bool comparing);
     void zoomToFit();

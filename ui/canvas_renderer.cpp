@@ -57,6 +57,9 @@ void CanvasRenderer::initResources() {
                                                                    .type = gpu::BindingType::SampledTexture},
                                                                   {.binding = CANVAS_MASK,
                                                                    .visibility = gpu::ShaderStage::Fragment,
+                                                                   .type = gpu::BindingType::SampledTexture},
+                                                                  {.binding = CANVAS_RULER_IMAGE,
+                                                                   .visibility = gpu::ShaderStage::Fragment,
                                                                    .type = gpu::BindingType::SampledTexture}}});
         layout_ = device_.createPipelineLayout({.label = "canvas",
                                                 .bindGroupLayouts = {groupLayout_},
@@ -104,6 +107,9 @@ void CanvasRenderer::drop() {
     boundPicture_ = {};
     boundLabels_ = {};
     boundMask_ = {};
+    boundRuler_ = {};
+    rulerOf_ = {};
+    ruler_ = {};
     mask_ = {};
     noMask_ = {};
     maskOf_.reset();
@@ -227,6 +233,7 @@ void CanvasRenderer::recordFrame() {
     }
     updateLabels();
     updateMask();
+    updateRuler();
     recordProbe(encoder);
     draw(encoder);
     if (hasResult_ && !progress_.waiting) shownScene_ = renderedScene_;
@@ -282,6 +289,36 @@ void CanvasRenderer::updateMask() {
         for (int x = 0; x < mask->width(); ++x) rows.push_back(mask->value(x, y));
     device_.queue().writeTexture({.texture = mask_, .origin = {0, static_cast<std::uint32_t>(first), 0}}, rows.data(),
                                  rows.size() * sizeof(float), {}, {width, static_cast<std::uint32_t>(last - first), 1});
+}
+
+void CanvasRenderer::updateRuler() {
+    const CanvasState& state = window_.state();
+    const double ratio = window_.devicePixelRatio();
+    const Ruler ruler = roundRuler(state.rulerMillimetres / state.view.zoom(), ratio);
+    if (ruler == rulerOf_) return;
+    rulerOf_ = ruler;
+    ruler_ = {};
+    const QImage image = rulerImage(ruler, ratio);
+    if (image.isNull()) return;
+    const auto width = static_cast<std::uint32_t>(image.width());
+    const auto height = static_cast<std::uint32_t>(image.height());
+    ruler_ = device_.createTexture({.label = "canvas ruler",
+                                    .size = {width, height, 1},
+                                    .format = gpu::TextureFormat::RGBA8Unorm,
+                                    .usage = gpu::TextureUsage::TextureBinding | gpu::TextureUsage::CopyDst});
+    device_.queue().writeTexture(ruler_, image.constBits(), static_cast<std::size_t>(image.sizeInBytes()));
+}
+
+QRect CanvasRenderer::rulerPlace() const {
+    if (!ruler_) return {};
+    const CanvasState& state = window_.state();
+    const int margin = static_cast<int>(std::lround(16 * window_.devicePixelRatio()));
+    const QSize view = window_.swapChainImageSize();
+    const QPointF corner = state.view.toView(QPointF(0, state.photo->color.height()));
+    const QSize size(static_cast<int>(ruler_.width()), static_cast<int>(ruler_.height()));
+    const int left = std::clamp(static_cast<int>(std::ceil(corner.x())), 0, std::max(view.width() / 2, 0));
+    const int bottom = std::clamp(static_cast<int>(std::floor(corner.y())), view.height() / 2, view.height());
+    return {QPoint(left + margin, bottom - margin - size.height()), size};
 }
 
 const gpu::Texture& CanvasRenderer::upload(Upload& slot, const std::shared_ptr<const CanvasPicture>& picture) {
@@ -356,7 +393,7 @@ void CanvasRenderer::drawPart(const gpu::RenderPassEncoder& pass, const QRectF& 
     const QRect visible = part.toAlignedRect() & QRect(QPoint(0, 0), window_.swapChainImageSize());
     if (visible.isEmpty()) return;
     const QPointF origin = state.view.origin();
-    kernel::CanvasBlock values;
+    kernel::CanvasBlock values{};
     values.origin = kernel::vec2(static_cast<float>(origin.x()), static_cast<float>(origin.y()));
     values.step = static_cast<float>(1 / state.view.zoom());
     values.gain = std::exp2(state.exposureStops);
@@ -364,6 +401,8 @@ void CanvasRenderer::drawPart(const gpu::RenderPassEncoder& pass, const QRectF& 
     values.brushRadius = state.brushRadius;
     values.brushCenter =
         kernel::vec2(static_cast<float>(state.brushCenter.x()), static_cast<float>(state.brushCenter.y()));
+    const QPoint ruler = rulerPlace().topLeft();
+    values.ruler = kernel::vec2(static_cast<float>(ruler.x()), static_cast<float>(ruler.y()));
     pass.setPipeline(pipelineFor(filter, flags));
     pass.setBindGroup(0, bindGroup_);
     pass.setPushConstants(values);
@@ -393,14 +432,18 @@ void CanvasRenderer::draw(const gpu::CommandEncoder& encoder) {
     }
     const gpu::Texture& mask = mask_ ? mask_ : noMask_;
     if (mask_ && state.brushRadius > 0) flags |= CANVAS_OVERLAY;
-    if (!bindGroup_ || !(picture == boundPicture_) || !(labels_ == boundLabels_) || !(mask == boundMask_)) {
+    const gpu::Texture& ruler = ruler_ ? ruler_ : black_;
+    if (!bindGroup_ || !(picture == boundPicture_) || !(labels_ == boundLabels_) || !(mask == boundMask_) ||
+        !(ruler == boundRuler_)) {
         bindGroup_ =
             device_.createBindGroup({.label = "canvas",
                                      .layout = groupLayout_,
                                      .entries = {{.binding = CANVAS_PICTURE, .textureView = picture.createView()},
                                                  {.binding = CANVAS_LABELS, .textureView = labels_.createView()},
-                                                 {.binding = CANVAS_MASK, .textureView = mask.createView()}}});
+                                                 {.binding = CANVAS_MASK, .textureView = mask.createView()},
+                                                 {.binding = CANVAS_RULER_IMAGE, .textureView = ruler.createView()}}});
         boundMask_ = mask;
+        boundRuler_ = ruler;
         boundPicture_ = picture;
         boundLabels_ = labels_;
     }
@@ -428,8 +471,10 @@ void CanvasRenderer::draw(const gpu::CommandEncoder& encoder) {
         if (state.outlineShown && !state.selectedBounds.isEmpty()) {
             constexpr double kReach = 3;
             const QRectF around = toView(state.selectedBounds).adjusted(-kReach, -kReach, kReach, kReach);
-            drawPart(pass, around, filter, flags | CANVAS_OUTLINE);
+            flags |= CANVAS_OUTLINE;
+            drawPart(pass, around, filter, flags);
         }
+        drawPart(pass, rulerPlace(), filter, flags | CANVAS_RULER);
     }
     pass.end();
     drawn_ = true;

@@ -12,6 +12,7 @@
 #include "gpu/device.h"
 #include "shaders/shared/canvas_block.h"
 #include "ui/canvas_window.h"
+#include "ui/ruler.h"
 
 namespace ui {
 
@@ -53,9 +54,12 @@ class CanvasRenderer : public QVulkanWindowRenderer {
     void attempt(const std::function<void()>& work);
     void updateLabels();
     void updateMask();
+    void updateRuler();
     void recordProbe(const gpu::CommandEncoder& encoder);
     void finishProbe(int x, int y);
     void draw(const gpu::CommandEncoder& encoder);
+    /// Where the ruler goes in the view [device pixels]; empty without one.
+    [[nodiscard]] QRect rulerPlace() const;
     /// Draws the picture into a rectangle of the view, made for exactly this filter and these CANVAS_* flags.
     void drawPart(const gpu::RenderPassEncoder& pass, const QRectF& part, int filter, unsigned flags);
     [[nodiscard]] const gpu::RenderPipeline& pipelineFor(int filter, unsigned flags);
@@ -98,10 +102,13 @@ class CanvasRenderer : public QVulkanWindowRenderer {
     std::shared_ptr<const core::Mask> maskOf_;
     gpu::Texture mask_;
     gpu::Texture noMask_;
+    Ruler rulerOf_;
+    gpu::Texture ruler_;  ///< empty without one
     gpu::Texture black_;
     gpu::Texture boundPicture_;
     gpu::Texture boundLabels_;
     gpu::Texture boundMask_;
+    gpu::Texture boundRuler_;
     gpu::BindGroupLayout groupLayout_;
     gpu::BindGroup bindGroup_;
     gpu::Buffer probe_;

@@ -30,6 +30,7 @@ struct CanvasState {
     std::shared_ptr<const core::Mask> mask;  ///< shown in red
     float brushRadius = 0;                   ///< [picture pixels]; 0 = no brush
     QPointF brushCenter;                     ///< picture position under the pointer
+    double rulerMillimetres = 0;             ///< what a picture pixel stands for; 0 = no ruler
     ViewTransform view;
     QPoint cursor;  ///< picture pixel under the pointer
     bool cursorInside = false;

@@ -29,6 +29,7 @@
 #include "gpu/instance.h"
 #include "ui/mask_painter.h"
 #include "ui/panels/registry.h"
+#include "ui/ruler.h"
 #include "ui/vulkan_support.h"
 
 namespace ui {
@@ -56,6 +57,7 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWin
     canvas_ = new Canvas(vulkan_.get(), problem, options_.device, this);
     setCentralWidget(canvas_);
     painter_ = new MaskPainter(workspace_, *canvas_, this);
+    ruler_ = new SubstanceRuler(workspace_, *canvas_, this);
 
     makeActions();
     makeStatusBar();
@@ -104,6 +106,7 @@ MainWindow::~MainWindow() {
     worker_.disconnect(this);
     workspace_.disconnect();
     delete painter_;
+    delete ruler_;
     delete canvas_;
 }
 

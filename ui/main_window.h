@@ -22,6 +22,7 @@ class QVulkanInstance;
 namespace ui {
 
 class MaskPainter;
+class SubstanceRuler;
 
 struct WindowOptions {
     bool canvas = true;  ///< false: no Vulkan is touched (tests of everything else)
@@ -113,6 +114,7 @@ class MainWindow : public QMainWindow {
     AnalysisWorker worker_;
     Canvas* canvas_ = nullptr;
     MaskPainter* painter_ = nullptr;
+    SubstanceRuler* ruler_ = nullptr;
     std::unique_ptr<BackgroundTask> task_;
     std::unique_ptr<BackgroundTask> layerTask_;
     QProgressDialog* progressDialog_ = nullptr;

@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "ui/main_window.h"
+#include "ui/ruler.h"
 
 namespace ui {
 
@@ -125,6 +126,11 @@ void MainWindow::makeViewMenu() {
     outline->setCheckable(true);
     outline->setChecked(true);
     connect(outline, &QAction::toggled, this, [this](bool on) { canvas_->setOutlineShown(on); });
+    QAction* ruler = addAction(menu, "actionRuler", tr("&Ruler"), QKeySequence(Qt::CTRL | Qt::Key_R),
+                               tr("Show how large the selected translucent object is, in its substance"), [] {});
+    ruler->setCheckable(true);
+    ruler->setChecked(true);
+    connect(ruler, &QAction::toggled, ruler_, &SubstanceRuler::setShown);
     panels_ = menu->addMenu(tr("&Panels"));
 }
 

@@ -8,6 +8,7 @@
 #define CANVAS_PICTURE 0
 #define CANVAS_LABELS 1
 #define CANVAS_MASK 2
+#define CANVAS_RULER_IMAGE 3
 
 // Specialization constants: a software device runs both sides of every branch, so what is not needed must not be there.
 #define CANVAS_FILTER 0  // 0 = nearest, 1 = bilinear, n > 1 = box of n x n taps
@@ -17,6 +18,7 @@
 #define CANVAS_TARGET_ENCODES 2u   // the swapchain's format is sRGB: the hardware applies the transfer function
 #define CANVAS_OUTLINE 4u          // draw the outline of `selected`
 #define CANVAS_OVERLAY 8u          // draw the mask and the brush
+#define CANVAS_RULER 16u           // draw the ruler
 
 KERNEL_BEGIN
 
@@ -29,8 +31,10 @@ struct CanvasBlock {
     uint selected;      // label that is outlined
     float brushRadius;  // [px]
     vec2 brushCenter;   // picture position [px]
+    vec2 ruler;         // top-left corner of its image in the view [px]
+    vec2 pad0;
 };
-KERNEL_BLOCK(CanvasBlock, 32)
+KERNEL_BLOCK(CanvasBlock, 48)
 
 KERNEL_END
 

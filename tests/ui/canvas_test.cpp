@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QGroupBox>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QScreen>
@@ -255,6 +256,44 @@ TEST_F(CanvasWindowTest, AStrokeOfTheBrushIsOneStepAndShows) {
     EXPECT_EQ(window_.workspace().selectedSegment()->edit->drives[0].mask->value(180, 420), 0.0f);
     EXPECT_EQ(window_.workspace().selectedSegment()->edit->drives.size(), 1u) << "one stroke, one step";
     EXPECT_EQ(window_.findChild<QObject*>("errorDialog"), nullptr);
+}
+
+TEST_F(CanvasWindowTest, RulerShowsTheSizeOfATranslucentSegment) {
+    open();
+    setSamples(1);
+    window_.workspace().editScene(QStringLiteral("fewer samples"),
+                                  [](core::Scene& scene) { scene.render.surfaceSamples = 500; });
+    window_.workspace().select(label("vase"));
+    chooseBrdf("lambert");
+    // White pixels of the longest row at the picture's lower left, where the sample has a dark table.
+    const auto barLength = [&] {
+        settle();
+        QTest::qWait(100);
+        const ui::Canvas& canvas = window_.canvas();
+        const QPoint corner = widgetPixel(0, window_.workspace().scene().photo->color.height() - 1);
+        const QPoint global = canvas.mapToGlobal(corner - QPoint(0, 80));
+        const QImage image = window_.screen()->grabWindow(0, global.x(), global.y(), 300, 80).toImage();
+        int longest = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            int white = 0;
+            for (int x = 0; x < image.width(); ++x) white += qGray(image.pixel(x, y)) > 250 ? 1 : 0;
+            longest = std::max(longest, white);
+        }
+        return longest;
+    };
+    EXPECT_LT(barLength(), 20) << "an opaque segment";
+    auto* group = test::child<QGroupBox>(window_, "translucency");
+    group->setChecked(true);
+    emit group->clicked(true);
+    const int length = barLength();
+    EXPECT_GT(length, 78);
+    EXPECT_LT(length, 203);
+    test::child<QAction>(window_, "actionRuler")->setChecked(false);
+    EXPECT_LT(barLength(), 20) << "hidden";
+    test::child<QAction>(window_, "actionRuler")->setChecked(true);
+    EXPECT_GT(barLength(), 78);
+    window_.workspace().select(label("bag"));
+    EXPECT_LT(barLength(), 20) << "another segment";
 }
 
 // Only the order of things can be tested: no driver can be asked to lose its device.

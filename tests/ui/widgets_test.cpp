@@ -11,6 +11,7 @@
 #include "tests/ui/support.h"
 #include "ui/canvas.h"
 #include "ui/display.h"
+#include "ui/ruler.h"
 #include "ui/view_layer.h"
 #include "ui/view_transform.h"
 #include "ui/widgets/color_button.h"
@@ -132,6 +133,46 @@ TEST(ViewTransform, EmptySizesAreHarmless) {
     view.fit();
     EXPECT_TRUE(std::isfinite(view.toPicture({3, 3}).x()));
     EXPECT_EQ(view.zoom(), 1);
+}
+
+TEST(Ruler, IsRoundAndFitsTheView) {
+    for (double scale = 1e-5; scale < 1e4; scale *= 1.07)
+        for (const double ratio : {1.0, 1.5, 2.0}) {
+            const ui::Ruler ruler = ui::roundRuler(scale, ratio);
+            EXPECT_LE(ruler.pixels, 200.001 * ratio);
+            EXPECT_GE(ruler.pixels, 79.999 * ratio);
+            EXPECT_NEAR(ruler.pixels * scale, ruler.millimetres, 1e-9 * ruler.millimetres);
+            const double power = std::pow(10, std::floor(std::log10(ruler.millimetres) + 1e-9));
+            const double first = std::round(1e6 * ruler.millimetres / power) / 1e6;
+            EXPECT_TRUE(first == 1 || first == 2 || first == 5) << ruler.millimetres;
+        }
+    EXPECT_DOUBLE_EQ(ui::roundRuler(0.1, 1).millimetres, 20);
+    EXPECT_DOUBLE_EQ(ui::roundRuler(0.1, 1).pixels, 200);
+    for (const double nothing : {0.0, -1.0, std::nan(""), HUGE_VAL}) EXPECT_EQ(ui::roundRuler(nothing, 1), ui::Ruler());
+}
+
+TEST(Ruler, SaysItsLengthInTheUsualUnit) {
+    EXPECT_EQ(ui::rulerText(5), QStringLiteral("5 mm"));
+    EXPECT_EQ(ui::rulerText(20), QStringLiteral("2 cm"));
+    EXPECT_EQ(ui::rulerText(500), QStringLiteral("50 cm"));
+    EXPECT_EQ(ui::rulerText(1000), QStringLiteral("1 m"));
+    EXPECT_EQ(ui::rulerText(0.02), QStringLiteral("20 µm"));
+}
+
+TEST(Ruler, ItsBarHasTheLength) {
+    for (const double ratio : {1.0, 2.0}) {
+        const ui::Ruler ruler{.millimetres = 2, .pixels = 120 * ratio};
+        const QImage image = ui::rulerImage(ruler, ratio);
+        int longest = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            int white = 0;
+            for (int x = 0; x < image.width(); ++x) white += image.pixelColor(x, y) == QColor(Qt::white) ? 1 : 0;
+            longest = std::max(longest, white);
+        }
+        EXPECT_NEAR(longest, ruler.pixels, 2 * ratio);
+        EXPECT_EQ(image.pixelColor(0, 0).alpha(), 0);
+    }
+    EXPECT_TRUE(ui::rulerImage({}, 1).isNull());
 }
 
 TEST(MapView, MarksOnlyWhatNobodyObserved) {
