@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/parallel.h"
@@ -110,7 +111,7 @@ float cellCentre(const NoiseCurve& curve, std::size_t cell) {
 
 /// Whether depth changes in steps of about `quantum` where it changes: the rows of an exact floor have one value each
 /// too, but follow each other smoothly. `same`: relative difference of values that count as equal.
-bool hasStairs(const ImageF& w, int step, bool enlarged, const NoiseCurve& quantum, float same) {
+bool hasStairs(const ImageF& w, int step, bool resampled, const NoiseCurve& quantum, float same) {
     std::vector<float> bends;
     const int stride = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(w.size()) / 50000)));
     for (int y = step; y + step < w.height(); y += stride) {
@@ -125,8 +126,8 @@ bool hasStairs(const ImageF& w, int step, bool enlarged, const NoiseCurve& quant
         }
     }
     if (bends.empty()) return false;
-    // Splines that enlarge a map bend by a sixth of a step where it begins.
-    if (quantile(bends, 0.5) > (enlarged ? 0.1f : 0.2f)) return true;
+    // Splines that resample a map bend by a sixth of a step where it begins.
+    if (quantile(bends, 0.5) > (resampled ? 0.1f : 0.2f)) return true;
     // Where depth is steep most steps follow each other evenly; the others are off by whole ones.
     constexpr float kStraight = 0.05f;
     constexpr float kMost = 4.5f;
@@ -136,16 +137,55 @@ bool hasStairs(const ImageF& w, int step, bool enlarged, const NoiseCurve& quant
         ++bent;
         if (bend > 0.5f && std::abs(bend - std::round(bend)) < 0.15f) ++whole;
     }
-    return !enlarged && bent * 10 > bends.size() && whole * 10 > bent * 7;
+    return !resampled && bent * 10 > bends.size() && whole * 10 > bent * 7;
+}
+
+struct StoredValue {
+    float value;
+    std::size_t count;
+};
+
+/// The different ones of sorted values; `same`: relative difference of those that count as equal.
+std::vector<StoredValue> countValues(std::span<const float> sorted, float same) {
+    std::vector<StoredValue> result;
+    for (std::size_t i = 0, next = 0; i < sorted.size(); i = next) {
+        while (next < sorted.size() && sorted[next] <= sorted[i] * (1 + same)) ++next;
+        result.push_back({sorted[i], next - i});
+    }
+    return result;
+}
+
+/// The values that a coarser rounding left, when smoothing or stretching after it made the others: every k-th one, each
+/// more than twice as frequent as those beside it, and most pixels have one of them. Empty when it is not so.
+std::vector<StoredValue> coarseValues(std::span<const StoredValue> all) {
+    constexpr std::size_t kFewest = 8;
+    std::vector<std::size_t> peaks;
+    std::size_t held = 0, total = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        total += all[i].count;
+        if (all[i].count < 4 || (i > 0 && all[i].count <= 2 * all[i - 1].count) ||
+            (i + 1 < all.size() && all[i].count <= 2 * all[i + 1].count))
+            continue;
+        peaks.push_back(i);
+        held += all[i].count;
+    }
+    if (peaks.size() < kFewest || held * 2 < total) return {};
+    std::vector<std::size_t> apart;
+    for (std::size_t k = 1; k < peaks.size(); ++k) apart.push_back(peaks[k] - peaks[k - 1]);
+    const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
+    std::ranges::nth_element(apart, middle);
+    if (static_cast<std::size_t>(std::ranges::count(apart, *middle)) * 3 < apart.size() * 2) return {};
+    std::vector<StoredValue> result;
+    for (const std::size_t i : peaks) result.push_back(all[i]);
+    return result;
 }
 
 /// Distance between neighbouring stored values over inverse depth. In an enlarged map these are the values that occur
-/// often, since interpolation adds others in between. Zero when nearly every pixel has a value of its own, and when the
-/// values are so far apart that they are separate surfaces.
+/// often, since interpolation adds others in between; so does resampling of values that were rounded before. Zero when
+/// nearly every pixel has a value of its own, and when the values are so far apart that they are separate surfaces.
 NoiseCurve quantisation(const ImageF& w, float pixelsPerSample, int base, const Range& range) {
     const bool enlarged = pixelsPerSample > 1;
     const float same = enlarged ? 1e-5f : 0;  // relative; rounding of floats
-    constexpr float kLargest = 0.02f;         // relative
     NoiseCurve curve = curveOver(range);
     std::vector<float> values;
     const std::size_t stride = w.size() / 200000 + 1;
@@ -153,29 +193,32 @@ NoiseCurve quantisation(const ImageF& w, float pixelsPerSample, int base, const 
         if (w[i] > 0) values.push_back(w[i]);
     std::ranges::sort(values);
     const std::size_t often = enlarged ? std::max<std::size_t>(4, values.size() / 4000) : 1;
+    const std::vector<StoredValue> all = countValues(values, same);
+    const auto coarse = coarseValues(all);
+    const bool resampled = enlarged || !coarse.empty();
+    const float largest = coarse.empty() ? 0.02f : 0.1f;  // relative
     std::vector<float> stored;
     std::size_t held = 0;
-    for (std::size_t i = 0, next = 0; i < values.size(); i = next) {
-        while (next < values.size() && values[next] <= values[i] * (1 + same)) ++next;
-        if (next - i < often) continue;
-        stored.push_back(values[i]);
-        held += next - i;
+    for (const auto& [value, count] : coarse.empty() ? all : coarse) {
+        if (count < often) continue;
+        stored.push_back(value);
+        held += count;
     }
     if (stored.size() < 3 || stored.size() * 4 > held || held * 5 < values.size() * 2) return curve;
     std::array<std::vector<float>, NoiseCurve::kCells> gaps;
-    std::vector<float> all;
+    std::vector<float> steps;  // relative
     for (std::size_t i = 1; i < stored.size(); ++i) {
         const auto cell = static_cast<std::size_t>(
             std::clamp((stored[i] - curve.first) * curve.cellsPerUnit + 0.5f, 0.0f, NoiseCurve::kCells - 1.0f));
         gaps[cell].push_back(stored[i] - stored[i - 1]);
-        all.push_back((stored[i] - stored[i - 1]) / stored[i]);
+        steps.push_back((stored[i] - stored[i - 1]) / stored[i]);
     }
-    const float relative = quantile(all, 0.5);
-    if (relative > kLargest) return curve;
+    const float relative = quantile(steps, 0.5);
+    if (relative > largest) return curve;
     NoiseCurve quantum = curve;
     for (std::size_t cell = 0; cell < gaps.size(); ++cell)
         quantum.sigma[cell] = gaps[cell].size() < 3 ? relative * cellCentre(curve, cell) : quantile(gaps[cell], 0.5);
-    return hasStairs(w, base, enlarged, quantum, same) ? quantum : curve;
+    return hasStairs(w, base, resampled, quantum, same) ? quantum : curve;
 }
 
 NoiseCurve measureNoise(const ImageF& w, const LabelImage& labels, int step, Differences order, const Range& range,

@@ -191,6 +191,28 @@ TEST(DepthNoise, RoundingIsFoundWhereDepthIsSteepToo) {
     EXPECT_EQ(core::steps::estimateDepthNoise(exact, labels, 1, {}).relative, 0);
 }
 
+TEST(DepthNoise, RoundingBeforeTheLastResamplingIsFound) {
+    // A slope in steps of four codes of a byte whose edges a resampling has smeared over three pixels.
+    constexpr float kCode = 0.001f;
+    const auto slope = [](int x, int y) {
+        return 4 * std::round(0.02f * static_cast<float>(x) + 0.031f * static_cast<float>(y));
+    };
+    ImageF smeared(480, 360), fine(480, 360);
+    for (int y = 0; y < 360; ++y) {
+        for (int x = 0; x < 480; ++x) {
+            const float code = std::round((slope(x - 1, y) + 2 * slope(x, y) + slope(x + 1, y)) / 4);
+            smeared(x, y) = 0.1f + kCode * code;
+            fine(x, y) = 0.1f + kCode * std::round(0.08f * static_cast<float>(x) + 0.124f * static_cast<float>(y));
+        }
+    }
+    const core::LabelImage labels(480, 360);
+    const auto coarse = core::steps::estimateDepthNoise(smeared, labels, 1, {});
+    EXPECT_TRUE(coarse.quantised);
+    EXPECT_NEAR(coarse.deviation.at(0.15f), 4 * kCode / std::sqrt(12.0f), 0.4f * kCode);
+    const auto byte = core::steps::estimateDepthNoise(fine, labels, 1, {});
+    EXPECT_NEAR(byte.deviation.at(0.15f), kCode / std::sqrt(12.0f), 0.1f * kCode);
+}
+
 TEST(DepthNoise, AreasOfANoisySquareAddUp) {
     test::RayScene scene;
     scene.camera = test::testCamera(480, 360);
