@@ -119,7 +119,9 @@ StepPart partOf(int k, const StepContext& context) {
 ImageF filterAutomatically(ImageF w, AnalysisKernels::DepthFilter& filter, const LabelImage& labels,
                            const Camera& camera, const DepthNoise& noise, float pixelsPerSample,
                            const StepContext& context) {
-    const float colorFactor = 1 / (kLimit * kLimit * kAutomaticColorSigma * kAutomaticColorSigma);
+    // Between two steps of rounding it is not known where depth changes; paint would keep the terraces where they are.
+    const float colorFactor =
+        noise.quantised ? 0.0f : 1 / (kLimit * kLimit * kAutomaticColorSigma * kAutomaticColorSigma);
     const int base = std::max(1, static_cast<int>(std::lround(pixelsPerSample)));
     constexpr float kMinTilt = 0.02f;   // [rad], about a degree
     constexpr float kAllowance = 4.0f;  // range in σ of what is left: keeps most of what is noise

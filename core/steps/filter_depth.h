@@ -38,7 +38,8 @@ struct FilterPass {
 /// centre's label.
 ///
 /// Automatic: each pass allows for the noise that is left at its scale, measured before it, and the last one is that
-/// after which noise tilts a surface by less than a degree. Exact depth is returned as it is. Otherwise the passes
+/// after which noise tilts a surface by less than a degree; colours do not count where rounding is most of it. Exact
+/// depth is returned as it is. Otherwise the passes
 /// add up to `spatialSigma`, and colorSigma and depthSigma are the ranges. Invalid pixels (0) stay invalid.
 [[nodiscard]] ImageF filterDepth(const ImageF& depth, const ImageRgb& color, const LabelImage& labels,
                                  const Camera& camera, const DepthFilterParams& params, const DepthNoise& noise,
