@@ -18,8 +18,8 @@ namespace render {
 
 /// Progressive renderer of the edits: re-shading (DESIGN 3.5), translucency (3.6), filter and composite.
 ///
-/// It records, its caller submits: in the window the encoder wraps the frame's own command buffer, headless a loop
-/// submits to a device of its own. One thread. The same seed and scene give the same pixels on any schedule of slices.
+/// It records, its caller submits: the window to the device that draws its frames, headless a loop to a device of its
+/// own. One thread. The same seed and scene give the same pixels on any schedule of slices.
 class Renderer {
   public:
     /// `lightSampling` changes the noise of a picture, not what it tends to.
