@@ -28,9 +28,9 @@ namespace core {
 //   sum_l = a_l narrow_l + b_l wide_l + prolong sum_{l+1}                    (again for each profile)
 //   pixel = sum_f read at its point,  f = the finest level the profile needs
 //
-// The area that samples stand for goes the same way beside their light. What a pixel reads of it is what an irradiance of
-// 1 everywhere would give; where that is more than 1 the pixel is divided by it, so that no body reflects more than it
-// receives.
+// The area that samples stand for goes the same way beside their light. What a pixel reads of it is what an irradiance
+// of 1 everywhere would give; where that is more than 1 the pixel is divided by it, so that no body reflects more than
+// it receives.
 //
 // Work is proportional to samples + pixels and does not depend on how far light goes.
 

@@ -14,6 +14,7 @@
 #include "core/parallel.h"
 #include "core/silhouette.h"
 #include "shaders/shared/rng.h"
+#include "shaders/shared/shading_point.h"
 
 namespace core {
 
@@ -210,13 +211,39 @@ Vector3f ReferenceRenderer::pathRadiance(int x, int y, std::uint32_t sample) con
     const kernel::SegmentShading shading = shadingAt(x, y);
     const Surface& front = *analysis_->front;
     if (shading.diffuse.w == 0 || !(front.depth(x, y) > 0)) return Vector3f::Zero();
+    const Path path{static_cast<std::uint32_t>(front.depth.index(x, y)), sample, scene_.render.seed};
+    const kernel::vec2 offset = kernel::rng_pixel(path.pixel, sample, path.seed) - kernel::vec2(0.5f);
+    const Camera& camera = layers_->camera;
+    const float u = static_cast<float>(x) + 0.5f + offset.x;
+    const float v = static_cast<float>(y) + 0.5f + offset.y;
     Vertex vertex;
-    vertex.p = toKernel(front.position(x, y));
+    vertex.p = toKernel(camera.ray(u, v) / layers_->front(x, y).at(offset.x, offset.y));
     vertex.wo = kernel::normalize(-vertex.p);
-    vertex.n = kernel::shading_normal(toKernel(front.normal(x, y)), vertex.wo);
+    vertex.n = kernel::shading_normal(normalAt(x, y, offset), vertex.wo);
     vertex.shading = shading;
     vertex.role = kernel::kPathPrimary;
-    return follow(vertex, {static_cast<std::uint32_t>(front.depth.index(x, y)), sample, scene_.render.seed});
+    return follow(vertex, path);
+}
+
+kernel::vec3 ReferenceRenderer::normalAt(int x, int y, kernel::vec2 offset) const {
+    const auto patch = [&](int px, int py) {
+        const DepthLayers::Patch& p = layers_->front(px, py);
+        return kernel::vec4(p.w, p.gu, p.gv, layers_->labels(px, py));
+    };
+    const Image<Vector3f>& normals = analysis_->front->normal;
+    const kernel::vec3 own = toKernel(normals(x, y));
+    const float fx = std::abs(offset.x);
+    const float fy = std::abs(offset.y);
+    kernel::vec3 sum = own * ((1 - fx) * (1 - fy));
+    for (const auto& [sx, sy] : {std::pair{1, 0}, {0, 1}, {1, 1}}) {
+        const int qx = std::clamp(x + (offset.x < 0 ? -sx : sx), 0, layers_->camera.width - 1);
+        const int qy = std::clamp(y + (offset.y < 0 ? -sy : sy), 0, layers_->camera.height - 1);
+        const kernel::vec3 n =
+            kernel::continued_normal(patch(x, y), own, patch(qx, qy), toKernel(normals(qx, qy)),
+                                     kernel::vec2(static_cast<float>(qx - x), static_cast<float>(qy - y)));
+        sum += n * ((sx != 0 ? fx : 1 - fx) * (sy != 0 ? fy : 1 - fy));
+    }
+    return sum;
 }
 
 Accumulation ReferenceRenderer::reshade(int samples, std::uint32_t first, const StepContext& context) const {

@@ -51,8 +51,8 @@ namespace core {
 //
 // Translucent radiance before the outgoing Fresnel factor: B(p) = (1/π) Σ_i A_i Ê_i R_d(|p − s_i|²) / max(1, Σ_i A_i
 // R_d) with A_i of sampleAreas (Ã/|S| on average) and the profile blurred to Ã/|S| (kernels sum by grids,
-// core/diffusion_grid.h). R_d is a half space's: summed over a thin or folded body it would reflect more than it receives,
-// and the quotient takes that away. L_t = F_t(max(n·wo, 0)) · B with n = shading_normal(n, wo).
+// core/diffusion_grid.h). R_d is a half space's: summed over a thin or folded body it would reflect more than it
+// receives, and the quotient takes that away. L_t = F_t(max(n·wo, 0)) · B with n = shading_normal(n, wo).
 //
 // Composite, edited segments only, driven weights of the pixel: blendNew · (reshaded + weight · L_t) + blendOriginal ·
 // photo. Then the pixels that show a segment in part, at its outline and up to two pixels outside (core/silhouette.h).
@@ -117,6 +117,8 @@ class ReferenceRenderer {
     [[nodiscard]] kernel::vec3 leave(const Vertex& vertex, const Path& path, std::uint32_t b,
                                      kernel::vec3& direction) const;
     [[nodiscard]] Vector3f environment(kernel::vec3 direction) const;
+    /// Of the front layer at `offset` [px] from a pixel's centre, not of unit length.
+    [[nodiscard]] kernel::vec3 normalAt(int x, int y, kernel::vec2 offset) const;
     [[nodiscard]] const kernel::SegmentShading& shadingOf(std::uint16_t label) const;
     /// With the values of driven parameters in that pixel.
     [[nodiscard]] kernel::SegmentShading shadingAt(int x, int y) const;

@@ -7,6 +7,7 @@
 #include "shaders/lib/geometry.glsl"
 #include "shaders/shared/path.h"
 #include "shaders/shared/reshade_block.h"
+#include "shaders/shared/shading_point.h"
 
 layout(local_size_x = 64) in;
 layout(push_constant) uniform Block { ReshadeBlock block; };
@@ -21,11 +22,29 @@ layout(set = 1, binding = RESHADE_DRIVE_VALUES) readonly buffer DriveValues { fl
 #include "shaders/lib/path.glsl"
 #include "shaders/lib/pixels.glsl"
 
-PathVertex cameraVertex(ivec2 pixel) {
-    vec3 p = frontPosition(pixel);
+// Bilinear between the centres of pixels that show one surface.
+vec3 normalAt(ivec2 pixel, vec4 patch_, vec2 offset) {
+    vec3 own = texelFetch(frontNormalMap, pixel, 0).xyz;
+    vec2 f = abs(offset);
+    vec3 sum = own * ((1.0 - f.x) * (1.0 - f.y));
+    for (int i = 1; i < 4; ++i) {
+        ivec2 side = ivec2(i & 1, i >> 1);
+        ivec2 q = pixel + ivec2(sign(offset)) * side;
+        q = clamp(q, ivec2(0), ivec2(geometry.width, geometry.height) - 1);
+        vec3 n = continued_normal(patch_, own, texelFetch(frontPatchMap, q, 0), texelFetch(frontNormalMap, q, 0).xyz,
+                                  vec2(q - pixel));
+        sum += n * ((side.x != 0 ? f.x : 1.0 - f.x) * (side.y != 0 ? f.y : 1.0 - f.y));
+    }
+    return sum;
+}
+
+// `offset` from the pixel's centre [px].
+PathVertex cameraVertex(ivec2 pixel, vec2 offset) {
+    vec4 patch_ = texelFetch(frontPatchMap, pixel, 0);
+    vec3 p = backProject(vec2(pixel) + 0.5 + offset, 1.0 / (patch_.x + dot(patch_.yz, offset)));
     vec3 wo = normalize(-p);
-    vec3 n = shading_normal(texelFetch(frontNormalMap, pixel, 0).xyz, wo);
-    return PathVertex(p, n, wo, uint(texelFetch(frontPatchMap, pixel, 0).w), pixel, kPathPrimary, 1.0);
+    vec3 n = shading_normal(normalAt(pixel, patch_, offset), wo);
+    return PathVertex(p, n, wo, uint(patch_.w), pixel, kPathPrimary, 1.0);
 }
 
 void main() {
@@ -35,8 +54,8 @@ void main() {
     vec4 sum = sliceValue(block.firstSample) == 0u ? vec4(0.0) : imageLoad(accumulationMap, pixel);
     uint sampleCount = sliceValue(block.sampleCount);
     uint id = uint(pixel.y) * geometry.width + uint(pixel.x);
-    PathVertex start = cameraVertex(pixel);
     for (uint i = 0u; i < sampleCount; ++i) {
+        PathVertex start = cameraVertex(pixel, rng_pixel(id, block.firstSample + i, block.seed) - 0.5);
         vec3 radiance = pathRadiance(start, PathId(id, block.firstSample + i, block.seed), sliceValue(block.bounces));
         if (path_valid(radiance)) {
             float l = luminance(radiance);

@@ -54,6 +54,12 @@ KERNEL_FN vec2 rng_lattice(uint pixel, uint sampleIndex, uint dimension, uint se
     return vec2(rng_to_float(h.x + sampleIndex * 3242174889u), rng_to_float(h.y + sampleIndex * 2447445414u));
 }
 
+/// Where in its pixel a path starts: a lattice (the powers of the square roots of 2 and 3) that no other one follows.
+KERNEL_FN vec2 rng_pixel(uint pixel, uint sampleIndex, uint seed) {
+    uvec4 h = rng_hash(uvec4(pixel, 0xffffffffu, 0x40000000u, seed));
+    return vec2(rng_to_float(h.x + sampleIndex * 1779033703u), rng_to_float(h.y + sampleIndex * 3144134277u));
+}
+
 /// Numbers for the light sampled at surface b of a path: xy its direction, z which candidate is taken. Those of the
 /// first surface step through a lattice of their own.
 KERNEL_FN vec3 rng_light(uint pixel, uint sampleIndex, uint b, uint seed) {
