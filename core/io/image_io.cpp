@@ -86,7 +86,30 @@ void decodeToLinear(ImageRgb& image, const OIIO::ImageSpec& spec) {
         decodeSrgb(image.pixels());
 }
 
-ImageRgb readColor(ImageReader& reader) {
+/// Of the picture, where values are not what they stand for.
+struct ColorFaults {
+    std::size_t notFinite = 0;
+    std::size_t negative = 0;
+};
+
+/// Negative values are usual in a small part of a picture: colours outside Rec.709, ringing of a filter.
+std::optional<std::string> remarkOn(const ColorFaults& faults, std::size_t pixels, const std::string& path) {
+    constexpr double kUsualNegative = 0.05;
+    const auto percent = [&](std::size_t count) {
+        const double share = 100.0 * static_cast<double>(count) / static_cast<double>(pixels);
+        return share < 1 ? std::to_string(count) : std::to_string(std::lround(share)) + " %";
+    };
+    std::string found;
+    if (faults.notFinite > 0) found = percent(faults.notFinite) + " of the pixels are not finite numbers";
+    if (static_cast<double>(faults.negative) > kUsualNegative * static_cast<double>(pixels))
+        found += (found.empty() ? "" : " and ") + percent(faults.negative) + (found.empty() ? " of the pixels" : "") +
+                 " are negative";
+    if (found.empty()) return std::nullopt;
+    return "In \"" + path + "\" " + found +
+           ", expected radiance of 0 or more: they count as 0. Repair the picture first.";
+}
+
+ImageRgb readColor(ImageReader& reader, ColorFaults* faults = nullptr) {
     reader.seekPart([](const OIIO::ImageSpec& spec) { return findRgb(spec).has_value(); });
     const OIIO::ImageSpec& spec = reader.spec();
     RgbChannels channels;
@@ -101,9 +124,16 @@ ImageRgb readColor(ImageReader& reader) {
     else
         reader.fail("it has no channels R, G, B");
     ImageRgb image = reader.readRgb(channels.red, channels.green, channels.blue);
-    for (Vector3f& p : image.pixels())
+    for (Vector3f& p : image.pixels()) {
+        if (faults != nullptr) {
+            if (!p.allFinite())
+                ++faults->notFinite;
+            else if (p.minCoeff() < 0)
+                ++faults->negative;
+        }
         for (int c = 0; c < 3; ++c)
             if (!std::isfinite(p[c])) p[c] = 0;
+    }
     decodeToLinear(image, spec);
     for (Vector3f& p : image.pixels())
         for (int c = 0; c < 3; ++c) p[c] = std::isfinite(p[c]) ? std::max(p[c], 0.0f) : 0.0f;
@@ -139,9 +169,13 @@ ImageInfo readInfo(ImageReader& reader) {
 
 }  // namespace
 
-ImageRgb loadColor(const std::string& path) {
+ImageRgb loadColor(const std::string& path, std::vector<std::string>* remarks) {
     ImageReader reader(path);
-    return readColor(reader);
+    ColorFaults faults;
+    ImageRgb image = readColor(reader, &faults);
+    const auto remark = remarkOn(faults, image.size(), path);
+    if (remark && remarks != nullptr) remarks->push_back(*remark);
+    return image;
 }
 
 ImageRgb loadColor(EmbeddedImage image) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/directional_map.h"
 #include "core/image.h"
@@ -19,8 +20,9 @@ inline constexpr long kMaxImagePixels = 200'000'000;
 
 /// Colour as scene-linear Rec.709: integer files are decoded by their ICC profile, else their gamma, else sRGB; float
 /// files are taken as linear, in the primaries they name, else Rec.709. R, G, B by name, plain or in a layer; a single
-/// channel is grey. Alpha is ignored. NaN and Inf become 0, negative values are clamped to 0.
-[[nodiscard]] ImageRgb loadColor(const std::string& path);
+/// channel is grey. Alpha is ignored. NaN and Inf become 0, negative values are clamped to 0; where that changes much
+/// of the picture, `remarks` says so.
+[[nodiscard]] ImageRgb loadColor(const std::string& path, std::vector<std::string>* remarks = nullptr);
 /// One channel of stored values as float, undecoded (16-bit PNG gives 0..65535); channel Z, else Y, else the first.
 [[nodiscard]] ImageF loadScalar(const std::string& path);
 /// Bits per sample of the file's stored values, and whether they are floating point.

@@ -287,7 +287,7 @@ std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, std::vector<
     const std::string& depthPath = source.depth.empty() ? source.color : source.depth;
     requireValidDepth(photo->depth, depthPath);
     noteImplausibleDepth(photo->depth, depthPath, source.depthUnit, notes);
-    photo->color = imported ? std::move(imported->color) : loadColor(source.color);
+    photo->color = imported ? std::move(imported->color) : loadColor(source.color, notes);
     if (imported)
         photo->clipLevel = imported->clipLevel;
     else if (!info.format.floating)

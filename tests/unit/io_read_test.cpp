@@ -134,9 +134,31 @@ TEST_F(ReadTest, NonFiniteIsZeroAndNegativeIsClamped) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float inf = std::numeric_limits<float>::infinity();
     test::writePfm(folder / "a.pfm", 2, 1, 3, {nan, 0.5f, inf, -inf, -1, 2});
-    const core::ImageRgb image = core::loadColor(folder / "a.pfm");
+    std::vector<std::string> remarks;
+    const core::ImageRgb image = core::loadColor(folder / "a.pfm", &remarks);
     expectColor(image(0, 0), 0, 0.5, 0);
     expectColor(image(1, 0), 0, 0, 2);
+    ASSERT_EQ(remarks.size(), 1u);
+    EXPECT_NE(remarks[0].find("a.pfm\" 100 % of the pixels are not finite"), std::string::npos) << remarks[0];
+}
+
+TEST_F(ReadTest, PixelsThatAreNoRadianceAreSaid) {
+    std::vector<float> values(3 * 1000, 0.5f);
+    const auto remarkOf = [&](int negative, int notANumber) {
+        for (std::size_t i = 0; i < 1000; ++i) {
+            const auto n = static_cast<std::size_t>(negative);
+            values[3 * i + 1] = i < n ? -0.1f : 0.5f;
+            if (i >= n && i < n + static_cast<std::size_t>(notANumber))
+                values[3 * i + 1] = std::numeric_limits<float>::quiet_NaN();
+        }
+        test::writePfm(folder / "a.pfm", 100, 10, 3, values);
+        std::vector<std::string> remarks;
+        (void)core::loadColor(folder / "a.pfm", &remarks);
+        return remarks.empty() ? std::string() : remarks[0];
+    };
+    EXPECT_EQ(remarkOf(20, 0), "") << "colours outside Rec.709 are usual";
+    EXPECT_NE(remarkOf(300, 0).find("30 % of the pixels are negative"), std::string::npos);
+    EXPECT_NE(remarkOf(300, 3).find("3 of the pixels are not finite numbers and 30 % are negative"), std::string::npos);
 }
 
 TEST_F(ReadTest, ExrChannelsByNameAlsoInLayers) {

@@ -15,7 +15,7 @@ bool recognisesExrDepth(const ImportFile& file) {
 /// A renderer's picture: values of channel Z in its own unit, metres unless the user says otherwise.
 ImportedPhoto readExrDepth(const ImportFile& file) {
     ImportedPhoto photo;
-    photo.color = loadColor(file.path());
+    photo.color = loadColor(file.path(), &photo.remarks);
     photo.clipLevel = std::numeric_limits<float>::infinity();
     photo.depth = loadScalar(file.path());
     photo.focal35mm = readImageInfo(file.path()).focal35mm;
