@@ -61,6 +61,8 @@ struct Benchmarks {
     }
     [[nodiscard]] std::vector<Ray> cosineRays(std::size_t count) const;
     [[nodiscard]] core::Scene withEdit(const core::Material& material) const;
+    /// Pixels of the segment that `withEdit` edits.
+    [[nodiscard]] std::size_t editedPixels() const;
     [[nodiscard]] core::ImageRgb rendered(Renderer& renderer, double seconds) const;
     [[nodiscard]] double renderSeconds(Renderer& renderer, bool firstPictureOnly, double budgetSeconds) const;
 };
@@ -131,13 +133,21 @@ void Benchmarks::march() {
     float farthest = 0;
     for (const float z : analysis->front->depth.pixels()) farthest = std::max(farthest, z);
     const ConstantStepParams steps{.stepSize = core::BackSideParams().minThickness, .maxDistance = 2 * farthest};
-    add("march", "rays_per_second.constant", rate(fewRays, MarchMethod::ConstantSteps, steps), "1/s");
-    add("march", "rays_per_second.pyramid", rate(rays, MarchMethod::Pyramid, steps), "1/s");
+    const double constantRate = rate(fewRays, MarchMethod::ConstantSteps, steps);
+    const double pyramidRate = rate(rays, MarchMethod::Pyramid, steps);
+    add("march", "rays_per_second.constant", constantRate, "1/s");
+    add("march", "rays_per_second.pyramid", pyramidRate, "1/s");
+    add("march", "ratio.pyramid_to_constant", pyramidRate / constantRate, "1");
 
     if (const auto embree = benchEmbree(*analysis->front, *analysis->back, scene.photo->labels, rays)) {
         add("march", "build_seconds.embree", embree->buildSeconds, "s");
         add("march", "rays_per_second.embree", embree->raysPerSecond, "1/s");
         add("march", "hit_share.embree", embree->hitShare, "1");
+        add("march", "ratio.pyramid_to_embree", pyramidRate / embree->raysPerSecond, "1");
+        const double editRays = 16.0 * static_cast<double>(editedPixels());
+        add("march", "edit_rays", editRays, "1");
+        add("march", "ratio.edit_to_embree",
+            (embree->buildSeconds + editRays / embree->raysPerSecond) / (build + editRays / pyramidRate), "1");
     }
 
     const std::vector<RayHit> hits = marcher.march(fewRays, MarchMethod::Pyramid);
@@ -173,6 +183,15 @@ core::Scene Benchmarks::withEdit(const core::Material& material) const {
     const std::size_t choice = candidates[0]->glossy || candidates.size() == 1 ? 0 : 1;
     candidates[choice]->edit = material;
     return edited;
+}
+
+std::size_t Benchmarks::editedPixels() const {
+    const core::Scene edited = withEdit(core::defaultMaterial(*core::findBrdf("ggx")));
+    const auto& labels = edited.photo->labels.pixels();
+    return static_cast<std::size_t>(std::count_if(labels.begin(), labels.end(), [&](std::uint16_t label) {
+        const core::Segment* segment = edited.findSegment(label);
+        return segment != nullptr && segment->edit;
+    }));
 }
 
 double Benchmarks::renderSeconds(Renderer& renderer, bool firstPictureOnly, double budgetSeconds) const {

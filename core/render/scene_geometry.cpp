@@ -2,6 +2,7 @@
 #include "core/render/scene_geometry.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/render/kernels.h"
 #include "gpu/adapter.h"
@@ -11,6 +12,12 @@ namespace render {
 namespace {
 
 constexpr std::size_t kTexelBytes = 4 * sizeof(float);
+constexpr std::uint64_t kSmallestPyramid = 16 * 16;  // fits anywhere
+
+/// Cells of 2^level pixels along `pixels`.
+std::uint32_t cellsAlong(std::uint32_t pixels, std::uint32_t level) {
+    return (pixels + (std::uint32_t{1} << level) - 1) >> level;
+}
 
 std::vector<float> texelsOf(const core::Image<core::Vector3f>& image) {
     std::vector<float> texels(image.size() * 4, 1.0f);
@@ -21,16 +28,21 @@ std::vector<float> texelsOf(const core::Image<core::Vector3f>& image) {
 
 }  // namespace
 
-std::vector<PyramidLevel> pyramidLevels(std::uint32_t width, std::uint32_t height) {
-    std::vector<PyramidLevel> levels;
-    std::uint32_t offset = 0;
-    do {
-        width = (width + 1) / 2;
-        height = (height + 1) / 2;
-        levels.push_back({width, height, offset});
-        offset += width * height;
-    } while (width > 1 || height > 1);
-    return levels;
+std::uint64_t PyramidShape::cells() const {
+    return (std::uint64_t{finestWidth} + 3) / 4 * 4 * ((std::uint64_t{rows} + 3) / 4 * 4);
+}
+
+PyramidShape pyramidShape(std::uint32_t width, std::uint32_t height, std::uint64_t maxCells) {
+    constexpr std::uint32_t kLevels = 8;  // cells of 256 pixels: a ray crosses the picture in a few
+    PyramidShape shape;
+    const auto levels = std::min(static_cast<std::uint32_t>(std::bit_width(std::max(width, height) - 1)), kLevels);
+    for (shape.finest = 0;; ++shape.finest) {
+        shape.top = std::max(levels, shape.finest);
+        shape.finestWidth = cellsAlong(width, shape.finest);
+        // So that halving the rows level by level leaves no remainder.
+        shape.rows = 2 * (cellsAlong(height, shape.top) << (shape.top - shape.finest));
+        if (shape.cells() <= maxCells || shape.cells() <= kSmallestPyramid) return shape;
+    }
 }
 
 SceneGeometry::SceneGeometry(const gpu::Device& device) : device_(device), layout_(makeGeometryLayout(device)) {
@@ -59,10 +71,10 @@ void SceneGeometry::requireFits(std::uint32_t width, std::uint32_t height) const
     if (bytes > limits.maxBufferSize)
         fail("its textures have at most " + std::to_string(limits.maxBufferSize) + " bytes and one layer needs " +
              std::to_string(bytes));
-    // Six layers, the accumulated picture, its filtered copy and the result.
-    if (limits.deviceMemory > 0 && 9 * bytes > limits.deviceMemory)
+    // Six layers, the accumulated picture, its filtered copy, the result, and the pyramid.
+    if (limits.deviceMemory > 0 && 10 * bytes > limits.deviceMemory)
         fail("it has " + std::to_string(limits.deviceMemory) + " bytes of memory and the layers need " +
-             std::to_string(9 * bytes));
+             std::to_string(10 * bytes));
 }
 
 void SceneGeometry::requireBufferFits(const char* what, std::uint64_t bytes) const {
@@ -113,6 +125,8 @@ void SceneGeometry::uploadPatches(const core::DepthLayers& layers, const std::fu
 
     std::vector<float> frontTexels(layers.front.size() * 4);
     std::vector<float> backTexels(layers.front.size() * 4);
+    leastW_ = kernel::kEmptyRangeMin;
+    greatestW_ = kernel::kEmptyRangeMax;
     for (std::size_t i = 0; i < layers.front.size(); ++i) {
         const core::DepthLayers::Patch& f = layers.front[i];
         const core::DepthLayers::Patch& b = layers.back[i];
@@ -120,13 +134,15 @@ void SceneGeometry::uploadPatches(const core::DepthLayers& layers, const std::fu
         const float backTexel[] = {b.w, b.gu, b.gv, 0};
         std::copy_n(frontTexel, 4, &frontTexels[4 * i]);
         std::copy_n(backTexel, 4, &backTexels[4 * i]);
+        const kernel::vec2 range = kernel::pixelRange({f.w, f.gu, f.gv, 0}, {b.w, b.gu, b.gv, 0});
+        leastW_ = std::min(leastW_, range.x);
+        greatestW_ = std::max(greatestW_, range.y);
     }
     frontPatch_ = upload("front patch", width, height, frontTexels);
     backPatch_ = upload("back patch", width, height, backTexels);
-    levels_ = pyramidLevels(width, height);
-    const std::uint64_t cells = levels_.back().offset + 1;
+    shape_ = render::pyramidShape(width, height, device_.limits().maxStorageBufferBindingSize / sizeof(kernel::uint));
     pyramid_ = device_.createBuffer({.label = "pyramid",
-                                     .size = cells * sizeof(kernel::vec2),
+                                     .size = shape_.cells() * sizeof(kernel::uint),
                                      .usage = gpu::BufferUsage::Storage | gpu::BufferUsage::CopySrc});
     pyramidStale_ = true;
     group_ = {};
@@ -169,7 +185,11 @@ const gpu::BindGroup& SceneGeometry::bindGroup() {
     block.camera = {camera_.fx, camera_.fy, camera_.cx, camera_.cy};
     block.width = width_;
     block.height = height_;
-    block.levelCount = static_cast<std::uint32_t>(levels_.size());
+    block.pyramidTop = shape_.top;
+    block.pyramidFinest = shape_.finest;
+    block.pyramidRows = shape_.rows;
+    block.leastW = leastW_;
+    block.greatestW = greatestW_;
     device_.queue().writeBuffer(block_, 0, &block, sizeof(block));
     group_ = device_.createBindGroup(
         {.label = "geometry",
@@ -203,20 +223,22 @@ void SceneGeometry::recordPyramid(const gpu::CommandEncoder& encoder) {
     const gpu::ComputePassEncoder pass = encoder.beginComputePass({.label = "build pyramid"});
     pass.setPipeline(buildPyramid_);
     pass.setBindGroup(0, group);
-    PyramidLevel source{width_, height_, 0};
-    for (std::uint32_t i = 0; i < levels_.size(); ++i) {
-        const PyramidLevel& level = levels_[i];
-        const kernel::BuildPyramidBlock block{.level = i + 1,
-                                              .width = level.width,
-                                              .height = level.height,
-                                              .offset = level.offset,
-                                              .sourceWidth = source.width,
-                                              .sourceHeight = source.height,
-                                              .sourceOffset = source.offset,
-                                              .pad0 = 0};
+    kernel::BuildPyramidBlock block;
+    block.finest = shape_.finest;
+    block.finestWidth = shape_.finestWidth;
+    block.rows = shape_.rows;
+    block.leastW = leastW_;
+    block.scale = kernel::rangeScale(leastW_, greatestW_);
+    block.sourceWidth = width_;
+    block.sourceHeight = height_;
+    for (std::uint32_t level = shape_.finest; level <= shape_.top; ++level) {
+        block.step = level - shape_.finest;
+        block.width = cellsAlong(width_, level);
+        block.height = cellsAlong(height_, level);
         pass.setPushConstants(block);
-        pass.dispatchWorkgroups((level.width + kTileSize - 1) / kTileSize, (level.height + kTileSize - 1) / kTileSize);
-        source = level;
+        pass.dispatchWorkgroups((block.width + kTileSize - 1) / kTileSize, (block.height + kTileSize - 1) / kTileSize);
+        block.sourceWidth = block.width;
+        block.sourceHeight = block.height;
     }
     pass.end();
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <utility>
 
 #include "core/analysis.h"
 #include "core/depth_layers.h"
@@ -17,14 +18,16 @@
 
 namespace render {
 
-/// One level of the min/max pyramid inside its buffer; level 1 covers 2x2 pixels.
-struct PyramidLevel {
-    std::uint32_t width = 0;   ///< cells
-    std::uint32_t height = 0;  ///< cells
-    std::uint32_t offset = 0;  ///< first cell
+/// Levels of the min/max pyramid and how they lie in its buffer (kernel::pyramidIndex).
+struct PyramidShape {
+    std::uint32_t finest = 0;       ///< first level that is stored: cells of 2^finest pixels
+    std::uint32_t top = 0;          ///< last level
+    std::uint32_t finestWidth = 0;  ///< cells
+    std::uint32_t rows = 0;         ///< of all levels, one above the other
+    [[nodiscard]] std::uint64_t cells() const;
 };
-/// Levels above an image of this size, down to a single cell; at least one.
-[[nodiscard]] std::vector<PyramidLevel> pyramidLevels(std::uint32_t width, std::uint32_t height);
+/// For an image of this size; leaves out the finest levels that would need more than `maxCells`.
+[[nodiscard]] PyramidShape pyramidShape(std::uint32_t width, std::uint32_t height, std::uint64_t maxCells);
 
 /// The photographed scene on the device: both layers, the pyramid over them, the light. Bind group 0 of the kernels
 /// that look at the scene (shaders/lib/geometry.glsl).
@@ -55,6 +58,9 @@ class SceneGeometry {
     [[nodiscard]] const gpu::BindGroup& bindGroup();
     [[nodiscard]] const gpu::Texture& photo() const { return frontColor_; }
     [[nodiscard]] const gpu::Buffer& pyramid() const { return pyramid_; }
+    [[nodiscard]] const PyramidShape& pyramidShape() const { return shape_; }
+    /// What holds all solids, in inverse depth [1/m]; first > second: there is none.
+    [[nodiscard]] std::pair<float, float> rangeOfW() const { return {leastW_, greatestW_}; }
     [[nodiscard]] std::uint32_t width() const { return width_; }
     [[nodiscard]] std::uint32_t height() const { return height_; }
 
@@ -67,7 +73,8 @@ class SceneGeometry {
     gpu::ComputePipeline buildPyramid_;
     std::uint32_t width_ = 0;
     std::uint32_t height_ = 0;
-    std::vector<PyramidLevel> levels_;
+    PyramidShape shape_;
+    float leastW_ = 0, greatestW_ = 0;
     gpu::Texture frontPatch_, backPatch_, frontColor_, backColor_, frontNormal_, backNormal_, environment_;
     gpu::Buffer pyramid_;
     gpu::Buffer environmentTable_;

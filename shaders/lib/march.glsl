@@ -11,6 +11,7 @@
 #define PATINA_MARCH_GLSL
 
 #include "shaders/lib/geometry.glsl"
+#include "shaders/lib/list.glsl"
 
 struct MarchHit {
     bool found;
@@ -20,12 +21,14 @@ struct MarchHit {
 };
 
 const float kFar = 1.0e30;
+const float kLeastStep = 1.0e-12;  // [px] per unit of s; across the view, or none
 
 struct ImageRay {
-    vec3 start;   // (u [px], v [px], w [1/m])
-    vec3 step;    // per unit of s
-    float begin;  // s where the ray enters the image; 0 when it starts over it
-    float end;    // s where it leaves the image, the depths that occur, or space
+    vec3 start;    // (u [px], v [px], w [1/m])
+    vec3 step;     // per unit of s
+    vec2 inverse;  // 1/step.xy, finite
+    float begin;   // s where the ray enters the image; 0 when it starts over it
+    float end;     // s where it leaves the image, the depths that occur, or space
 };
 
 // The part of the ray that can meet anything; empty (end < begin, or NaN) when there is none.
@@ -35,28 +38,20 @@ ImageRay imageRay(vec3 p, vec3 d) {
     vec2 focal = geometry.camera.xy;
     ray.start = vec3(focal * p.xy * w + geometry.camera.zw, w);
     ray.step = vec3(focal * (d.xy - d.z * p.xy * w), -d.z * w);
-    ray.begin = 0.0;
+    if (abs(ray.step.x) < kLeastStep) ray.step.x = kLeastStep;
+    if (abs(ray.step.y) < kLeastStep) ray.step.y = kLeastStep;
+    ray.inverse = 1.0 / ray.step.xy;
     ray.end = d.z > 0.0 ? 1.0 / d.z : kFar;
-
-    uint rootIndex = 0u;
-    for (uint level = 1u; level < geometry.levelCount; ++level)
-        rootIndex += ((geometry.width + (1u << level) - 1u) >> level) * ((geometry.height + (1u << level) - 1u) >> level);
-    vec2 root = pyramid[rootIndex];
-    if (ray.step.z > 0.0) ray.end = min(ray.end, (root.y - w) / ray.step.z);
-    if (ray.step.z < 0.0) ray.end = min(ray.end, (root.x - w) / ray.step.z);
-    if (ray.step.z == 0.0 && (w > root.y || w < root.x)) ray.end = -1.0;
+    if (ray.step.z > 0.0) ray.end = min(ray.end, (geometry.greatestW - w) / ray.step.z);
+    if (ray.step.z < 0.0) ray.end = min(ray.end, (geometry.leastW - w) / ray.step.z);
+    if (ray.step.z == 0.0 && (w > geometry.greatestW || w < geometry.leastW)) ray.end = -1.0;
 
     vec2 size = vec2(geometry.width, geometry.height);
-    for (int axis = 0; axis < 2; ++axis) {
-        if (ray.step[axis] == 0.0) {
-            if (!(ray.start[axis] >= 0.0 && ray.start[axis] < size[axis])) ray.end = -1.0;
-        } else {
-            float a = -ray.start[axis] / ray.step[axis];
-            float b = (size[axis] - ray.start[axis]) / ray.step[axis];
-            ray.begin = max(ray.begin, min(a, b));
-            ray.end = min(ray.end, max(a, b));
-        }
-    }
+    vec2 ahead = vec2(ray.step.x > 0.0 ? size.x : 0.0, ray.step.y > 0.0 ? size.y : 0.0);
+    vec2 first = (size - ahead - ray.start.xy) * ray.inverse;
+    vec2 last = (ahead - ray.start.xy) * ray.inverse;  // as `march` finds the edge of a cell
+    ray.begin = max(0.0, max(first.x, first.y));
+    ray.end = min(ray.end, min(last.x, last.y));
     return ray;
 }
 
@@ -104,75 +99,96 @@ bool crossPixel(ImageRay ray, ivec2 pixel, float s0, float s1, out float enter, 
     return true;
 }
 
+// Greatest of `least` and the least of the others, none of which is negative if it matters: such floats order as
+// integers, which takes a third of the instructions where NaN needs them.
+float nextStop(float least, vec2 exits, float end) {
+    int stop = min(min(floatBitsToInt(exits.x), floatBitsToInt(exits.y)), floatBitsToInt(end));
+    return intBitsToFloat(max(floatBitsToInt(least), stop));
+}
+
 // First solid the ray enters. `p` has z > 0, `d` is unit length. An origin inside a solid does not count until the ray
 // has left it.
+//
+// The inner loop walks the hierarchy until the ray may touch the solid of a pixel, the outer one looks at that pixel
+// (Aila and Laine 2009, "while-while"): where lanes run in lock step, all of them then do the same most of the time. What
+// the inner loop does is counted in instructions; it reads one word of the pyramid and nothing else.
 MarchHit march(vec3 p, vec3 d) {
     MarchHit hit = MarchHit(false, false, ivec2(0), 0.0);
-    if (!(p.z > 0.0)) return hit;
     ImageRay ray = imageRay(p, d);
-    if (!(ray.begin <= ray.end)) return hit;
+    bool going = p.z > 0.0 && ray.begin <= ray.end;
 
-    uvec2 size = uvec2(geometry.width, geometry.height);
+    // Read once; loads are not moved out of loops everywhere.
+    ivec2 lastPixel = ivec2(geometry.width, geometry.height) - 1;
+    int top = int(geometry.pyramidTop);
+    int finest = int(geometry.pyramidFinest);
+    uint rows = geometry.pyramidRows;
+    uint finestWidth = (geometry.width + (1u << geometry.pyramidFinest) - 1u) >> geometry.pyramidFinest;
+    float scale = rangeScale(geometry.leastW, geometry.greatestW);
+    float start = (ray.start.z - geometry.leastW) * scale + kRangeStart;  // in the pyramid's unit
+    float slope = ray.step.z * scale;
+
+    ivec2 pixel = clamp(ivec2(floor(ray.start.xy + ray.step.xy * ray.begin)), ivec2(0), lastPixel);
+    ivec2 ahead = ivec2(ray.step.x > 0.0 ? 1 : 0, ray.step.y > 0.0 ? 1 : 0);
     int level = 0;
-    uint offset = 0u;  // of the level in the pyramid, for level > 0
-    ivec2 cell = clamp(ivec2(floor(ray.start.xy + ray.step.xy * ray.begin)), ivec2(0), ivec2(size) - 1);
-    ivec2 direction = ivec2(ray.step.x > 0.0 ? 1 : -1, ray.step.y > 0.0 ? 1 : -1);
-    vec2 inverse = vec2(ray.step.x != 0.0 ? 1.0 / ray.step.x : 0.0, ray.step.y != 0.0 ? 1.0 / ray.step.y : 0.0);
     float s = ray.begin;
+    float before = start + slope * s;
     bool inside = ray.begin <= 0.0;  // escaping from the solid of the origin; the first pixel decides whether there is one
 
-    int budget = 8 * int(size.x + size.y) + 64;  // no ray needs more; one with broken numbers stops here
-    for (int i = 0; i < budget; ++i) {
-        float cellSize = float(1 << level);
-        vec2 edge = (vec2(cell) + vec2(max(direction, ivec2(0)))) * cellSize;
-        vec2 exits = vec2(ray.step.x != 0.0 ? (edge.x - ray.start.x) * inverse.x : kFar,
-                          ray.step.y != 0.0 ? (edge.y - ray.start.y) * inverse.y : kFar);
-        float next = max(s, min(min(exits.x, exits.y), ray.end));
+    // No ray needs more steps; one with broken numbers stops here.
+    int budget = int(sliceValue(8u * (geometry.width + geometry.height) + 64u));
+    while (going && budget > 0) {
+        bool candidate = false;
+        ivec2 edge;
+        vec2 exits;
+        float next;
+        while (budget > 0) {
+            --budget;
+            ivec2 low = pixel & -(1 << level);
+            edge = low + (ahead << level);
+            exits = (vec2(edge) - ray.start.xy) * ray.inverse;
+            next = nextStop(s, exits, ray.end);
+            float after = start + slope * next;
+            uvec2 cell = uvec2(pixel >> max(level, finest));
+            uint range = pyramid[pyramidIndex(cell.x, cell.y, uint(max(level - finest, 0)), rows, finestWidth)];
+            float least = float(range & 0xffffu);
+            float greatest = float(range >> 16u);
+            bool touches = (before >= least || after >= least) && (before <= greatest || after <= greatest);
+            candidate = touches && level == 0;
+            going = touches || next < ray.end;
+            if (candidate || !going) break;
 
-        if (level > 0) {
-            uint levelWidth = (size.x + (1u << level) - 1u) >> level;
-            vec2 range = pyramid[offset + uint(cell.y) * levelWidth + uint(cell.x)];
-            float w0 = ray.start.z + ray.step.z * s;
-            float w1 = ray.start.z + ray.step.z * next;
-            if (max(w0, w1) >= range.x && min(w0, w1) <= range.y) {
-                --level;
-                vec2 middle = (vec2(cell) + 0.5) * cellSize;
-                vec2 position = ray.start.xy + ray.step.xy * s;
-                ivec2 levelSize = ivec2((size + (1u << level) - 1u) >> level);
-                if (level > 0) offset -= uint(levelSize.x * levelSize.y);
-                cell = min(2 * cell + ivec2(greaterThanEqual(position, middle)), levelSize - 1);
-                continue;
-            }
-            inside = false;
-        } else {
+            ivec2 over = clamp(ivec2(floor(ray.start.xy + ray.step.xy * next)), low, min(low + ((1 << level) - 1), lastPixel));
+            if (exits.x <= exits.y) over.x = edge.x + ahead.x - 1;
+            if (exits.y <= exits.x) over.y = edge.y + ahead.y - 1;
+            ivec2 moved = (pixel ^ over) >> level;
+            int up = (moved.x | moved.y) > 1 && level < top ? 1 : 0;
+            inside = inside && touches;
+            level += touches ? -1 : up;
+            pixel = touches ? pixel : over;
+            s = touches ? s : next;
+            before = touches ? before : after;
+        }
+        if (candidate) {
             float enter, leave;
             bool back;
-            if (crossPixel(ray, cell, s, next, enter, leave, back)) {
-                if (inside && enter > s) inside = false;
-                if (!inside) {
-                    hit.found = true;
-                    hit.back = back;
-                    hit.pixel = cell;
-                    hit.distance = rayDistance(p, d, enter);
-                    return hit;
+            if (crossPixel(ray, pixel, s, next, enter, leave, back)) {
+                if (!inside || enter > s) {
+                    hit = MarchHit(true, back, pixel, rayDistance(p, d, enter));
+                    going = false;
                 }
                 inside = leave >= next;
             } else {
                 inside = false;
             }
-        }
-
-        if (next >= ray.end) return hit;
-        s = next;
-        ivec2 before = cell;
-        if (exits.x <= exits.y) cell.x += direction.x;
-        if (exits.y <= exits.x) cell.y += direction.y;
-        ivec2 levelSize = ivec2((size + (1u << level) - 1u) >> level);
-        if (any(lessThan(cell, ivec2(0))) || any(greaterThanEqual(cell, levelSize))) return hit;
-        if (level < int(geometry.levelCount) && (before >> 1) != (cell >> 1)) {
-            if (level > 0) offset += uint(levelSize.x * levelSize.y);
-            ++level;
-            cell >>= 1;
+            if (next >= ray.end) going = false;
+            s = next;
+            before = start + slope * s;
+            ivec2 over = pixel;
+            if (exits.x <= exits.y) over.x = edge.x + ahead.x - 1;
+            if (exits.y <= exits.x) over.y = edge.y + ahead.y - 1;
+            ivec2 moved = pixel ^ over;
+            if ((moved.x | moved.y) > 1 && top > 0) level = 1;
+            pixel = over;
         }
     }
     return hit;

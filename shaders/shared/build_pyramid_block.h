@@ -12,16 +12,20 @@
 KERNEL_BEGIN
 
 struct BuildPyramidBlock {
-    uint level;         // the level to write; 1 reads the patches
-    uint width;         // of that level [cells]
-    uint height;        // of that level [cells]
-    uint offset;        // of that level's first cell
-    uint sourceWidth;   // of the level below
+    uint step;          // levels above the finest one; 0 reads the patches
+    uint width;         // of the level to write [cells]
+    uint height;        // of the level to write [cells]
+    uint sourceWidth;   // of the level below [cells]; of the picture for step 0
     uint sourceHeight;  // of the level below
-    uint sourceOffset;  // of the level below
+    uint finest;        // GeometryBlock::pyramidFinest
+    uint finestWidth;   // of the finest level [cells]
+    uint rows;          // GeometryBlock::pyramidRows
+    float leastW;       // GeometryBlock::leastW [1/m]
+    float scale;        // rangeScale
     uint pad0;
+    uint pad1;
 };
-KERNEL_BLOCK(BuildPyramidBlock, 32)
+KERNEL_BLOCK(BuildPyramidBlock, 48)
 
 KERNEL_END
 

@@ -6,7 +6,7 @@
 #include "shaders/shared/interop.h"
 
 #define GEOMETRY_BLOCK 0         // GeometryBlock
-#define GEOMETRY_PYRAMID 1       // vec2 (least w, greatest w) per cell, levels 1, 2, ... one after the other
+#define GEOMETRY_PYRAMID 1       // uint per cell: packRange; where: pyramidIndex
 #define GEOMETRY_FRONT_PATCH 2   // w [1/m], dw/du, dw/dv [1/(m px)], label
 #define GEOMETRY_BACK_PATCH 3    // w, dw/du, dw/dv, unused
 #define GEOMETRY_FRONT_COLOR 4   // radiance
@@ -23,7 +23,7 @@ struct GeometryBlock {
     vec4 camera;             // fx, fy, cx, cy [px]
     uint width;              // [px]
     uint height;             // [px]
-    uint levelCount;         // pyramid levels above the pixels; the last one is a single cell
+    uint pyramidTop;         // coarsest level of the pyramid: cells of 2^pyramidTop pixels
     uint environmentWidth;   // [texel]
     uint environmentHeight;  // [texel]
     uint tableColumns;       // cells of the environment's table
@@ -31,10 +31,14 @@ struct GeometryBlock {
     uint tableCell;           // texels along a cell's side
     float meanLuminance;      // of the environment
     uint environmentSampled;  // 1: paths sample the environment too
+    uint pyramidFinest;       // finest level that is stored; 0: the pixels, as long as the device's buffers hold them
+    uint pyramidRows;         // rows of cells of all levels together
+    float leastW;             // all solids lie between them [1/m]; leastW > greatestW: there is none
+    float greatestW;
     uint pad0;
     uint pad1;
 };
-KERNEL_BLOCK(GeometryBlock, 64)
+KERNEL_BLOCK(GeometryBlock, 80)
 
 // Range of an empty cell: overlaps nothing.
 const float kEmptyRangeMin = 3.0e38f;
@@ -46,6 +50,36 @@ KERNEL_FN vec2 pixelRange(vec4 frontPatch, vec4 backPatch) {
     float frontMax = frontPatch.x + 0.5f * (abs(frontPatch.y) + abs(frontPatch.z));
     float backMin = backPatch.x - 0.5f * (abs(backPatch.y) + abs(backPatch.z));
     return vec2(backMin - 1.0e-6f * abs(backMin), frontMax + 1.0e-6f * abs(frontMax));
+}
+
+// Inverse depth in the pyramid's unit, of which a cell stores the least and the greatest value in 16 bits each.
+KERNEL_FN float rangeScale(float leastW, float greatestW) {
+    // Below this span, rounding of a ray's w would count.
+    return 65528.0f / max(greatestW - leastW, 0.05f * greatestW);
+}
+
+const uint kEmptyCell = 0x0000ffffu;  // least > greatest
+
+// Where w = leastW is, so that ranges can be rounded outwards.
+const float kRangeStart = 4.0f;
+
+// Cell that holds [range.x, range.y], rounded outwards by more than a ray's w may be off; `scale`: rangeScale.
+KERNEL_FN uint packRange(vec2 range, float leastW, float scale) {
+    if (!(range.x <= range.y)) return kEmptyCell;
+    float low = clamp((range.x - leastW) * scale + (kRangeStart - 2.0f), 0.0f, 65535.0f);
+    float high = clamp((range.y - leastW) * scale + (kRangeStart + 3.0f), 0.0f, 65535.0f);
+    return uint(low) | (uint(high) << 16u);
+}
+
+// What holds two cells.
+KERNEL_FN uint joinRanges(uint a, uint b) { return min(a & 0xffffu, b & 0xffffu) | (max(a >> 16u, b >> 16u) << 16u); }
+
+// Where cell (x, y) of a level is stored, `step` levels above the finest one. All levels stand one above the other in a
+// map of `rows` rows, and the map lies in blocks of 4x4 cells: one line of a processor's cache.
+KERNEL_FN uint pyramidIndex(uint x, uint y, uint step, uint rows, uint width) {
+    y += rows - (rows >> step);
+    uint blocks = (width + 3u) >> 2u;
+    return (((y >> 2u) * blocks + (x >> 2u)) << 4u) + ((y & 3u) << 2u) + (x & 3u);
 }
 
 KERNEL_END

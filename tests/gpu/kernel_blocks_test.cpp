@@ -73,10 +73,11 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
                   MEMBER(CheckBrdfSums, other)},
                  sizeof(kernel::CheckBrdfSums));
     expectLayout(build_pyramid_spv, "BuildPyramidBlock",
-                 {MEMBER(BuildPyramidBlock, level), MEMBER(BuildPyramidBlock, width), MEMBER(BuildPyramidBlock, height),
-                  MEMBER(BuildPyramidBlock, offset), MEMBER(BuildPyramidBlock, sourceWidth),
-                  MEMBER(BuildPyramidBlock, sourceHeight), MEMBER(BuildPyramidBlock, sourceOffset),
-                  MEMBER(BuildPyramidBlock, pad0)},
+                 {MEMBER(BuildPyramidBlock, step), MEMBER(BuildPyramidBlock, width), MEMBER(BuildPyramidBlock, height),
+                  MEMBER(BuildPyramidBlock, sourceWidth), MEMBER(BuildPyramidBlock, sourceHeight),
+                  MEMBER(BuildPyramidBlock, finest), MEMBER(BuildPyramidBlock, finestWidth),
+                  MEMBER(BuildPyramidBlock, rows), MEMBER(BuildPyramidBlock, leastW), MEMBER(BuildPyramidBlock, scale),
+                  MEMBER(BuildPyramidBlock, pad0), MEMBER(BuildPyramidBlock, pad1)},
                  sizeof(kernel::BuildPyramidBlock));
     expectLayout(
         depth_filter_spv, "DepthFilterBlock",
@@ -108,10 +109,12 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
     expectLayout(
         march_rays_spv, "GeometryBlock",
         {MEMBER(GeometryBlock, camera), MEMBER(GeometryBlock, width), MEMBER(GeometryBlock, height),
-         MEMBER(GeometryBlock, levelCount), MEMBER(GeometryBlock, environmentWidth),
+         MEMBER(GeometryBlock, pyramidTop), MEMBER(GeometryBlock, environmentWidth),
          MEMBER(GeometryBlock, environmentHeight), MEMBER(GeometryBlock, tableColumns),
          MEMBER(GeometryBlock, tableRows), MEMBER(GeometryBlock, tableCell), MEMBER(GeometryBlock, meanLuminance),
-         MEMBER(GeometryBlock, environmentSampled), MEMBER(GeometryBlock, pad0), MEMBER(GeometryBlock, pad1)},
+         MEMBER(GeometryBlock, environmentSampled), MEMBER(GeometryBlock, pyramidFinest),
+         MEMBER(GeometryBlock, pyramidRows), MEMBER(GeometryBlock, leastW), MEMBER(GeometryBlock, greatestW),
+         MEMBER(GeometryBlock, pad0), MEMBER(GeometryBlock, pad1)},
         sizeof(kernel::GeometryBlock));
     expectLayout(reshade_spv, "ReshadeBlock",
                  {MEMBER(ReshadeBlock, firstPixel), MEMBER(ReshadeBlock, pixelCount), MEMBER(ReshadeBlock, firstSample),

@@ -78,20 +78,21 @@ double agreement(const core::DepthLayers& layers, const std::vector<render::Ray>
     return static_cast<double>(agreed) / static_cast<double>(rays.size());
 }
 
-TEST(Pyramid, EqualsItsTwinOnAnySize) {
+TEST(Pyramid, HoldsTheRangesOfItsCellsOnAnySize) {
     for (const auto& [width, height] : {std::pair{64, 64}, std::pair{97, 61}, std::pair{5, 130}, std::pair{1, 1}}) {
         const AnalyticScene source = testing_support::makeRandomScene(width, height, 3);
         const Scene scene(source);
-        const auto levels =
-            render::pyramidLevels(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
-        ASSERT_EQ(levels.back().width, 1u);
-        ASSERT_EQ(levels.back().height, 1u);
-        const auto actual = gpu::readBuffer<kernel::vec2>(testing_support::device(), scene.geometry.pyramid(), 0,
-                                                          levels.back().offset + 1);
-        for (std::size_t level = 0; level < levels.size(); ++level) {
-            const int size = 2 << level;
-            for (int cy = 0; cy < static_cast<int>(levels[level].height); ++cy) {
-                for (int cx = 0; cx < static_cast<int>(levels[level].width); ++cx) {
+        const render::PyramidShape& shape = scene.geometry.pyramidShape();
+        ASSERT_EQ(shape.finest, 0u);
+        ASSERT_GE(1 << shape.top, std::max(width, height)) << "the top is a single cell";
+        const auto [leastW, greatestW] = scene.geometry.rangeOfW();
+        const float scale = kernel::rangeScale(leastW, greatestW);
+        const auto cells =
+            gpu::readBuffer<kernel::uint>(testing_support::device(), scene.geometry.pyramid(), 0, shape.cells());
+        for (std::uint32_t level = 0; level <= shape.top; ++level) {
+            const int size = 1 << level;
+            for (int cy = 0; cy * size < height; ++cy) {
+                for (int cx = 0; cx * size < width; ++cx) {
                     kernel::vec2 expected(kernel::kEmptyRangeMin, kernel::kEmptyRangeMax);
                     for (int y = cy * size; y < std::min((cy + 1) * size, height); ++y)
                         for (int x = cx * size; x < std::min((cx + 1) * size, width); ++x) {
@@ -99,15 +100,38 @@ TEST(Pyramid, EqualsItsTwinOnAnySize) {
                                 kernel::pixelRange(texel(scene.layers.front(x, y)), texel(scene.layers.back(x, y)));
                             expected = {std::min(expected.x, range.x), std::max(expected.y, range.y)};
                         }
-                    const kernel::vec2& cell =
-                        actual[levels[level].offset + static_cast<std::size_t>(cy) * levels[level].width +
-                               static_cast<std::size_t>(cx)];
-                    // One rounding of the half slopes may differ where the device fuses a multiply and an add.
-                    ASSERT_FLOAT_EQ(cell.x, expected.x) << width << "x" << height << " level " << level + 1;
-                    ASSERT_FLOAT_EQ(cell.y, expected.y) << width << "x" << height << " level " << level + 1;
+                    const kernel::uint cell =
+                        cells[kernel::pyramidIndex(static_cast<kernel::uint>(cx), static_cast<kernel::uint>(cy), level,
+                                                   shape.rows, shape.finestWidth)];
+                    const std::string where = std::to_string(width) + "x" + std::to_string(height) + " level " +
+                                              std::to_string(level) + " cell " + std::to_string(cx) + ", " +
+                                              std::to_string(cy);
+                    if (expected.x > expected.y) {
+                        ASSERT_EQ(cell, kernel::kEmptyCell) << where;
+                        continue;
+                    }
+                    const float low = (expected.x - leastW) * scale + kernel::kRangeStart;
+                    const float high = (expected.y - leastW) * scale + kernel::kRangeStart;
+                    ASSERT_NEAR(static_cast<float>(cell & 0xffffu), low - 2.5f, 0.6f) << where;
+                    ASSERT_NEAR(static_cast<float>(cell >> 16u), high + 2.5f, 0.6f) << where;
                 }
             }
         }
+    }
+}
+
+TEST(Pyramid, DropsItsFinestLevelsWhenTheDeviceHoldsNoMore) {
+    EXPECT_EQ(render::pyramidShape(4096, 4096, 1ull << 40).finest, 0u);
+    for (const std::uint64_t maxCells : {1ull << 25, 1ull << 23, 1ull << 12}) {
+        const render::PyramidShape shape = render::pyramidShape(4096, 3000, maxCells);
+        EXPECT_LE(shape.cells(), maxCells);
+        EXPECT_GE(shape.top, shape.finest);
+        EXPECT_EQ(shape.finestWidth, 4096u >> shape.finest);
+        EXPECT_GT(render::pyramidShape(4096, 3000, shape.cells() - 1).finest, shape.finest);
+        const kernel::uint step = shape.top - shape.finest;
+        EXPECT_EQ(shape.rows >> step << step, shape.rows);
+        EXPECT_LT(kernel::pyramidIndex((4095u >> shape.top), (2999u >> shape.top), step, shape.rows, shape.finestWidth),
+                  shape.cells());
     }
 }
 
