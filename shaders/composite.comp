@@ -1,7 +1,6 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blend of the new radiance and the photograph in one edited segment (DESIGN 3.5), translucent light added. A pixel that
-// has no sample yet shows the photograph.
+// Blend of the new radiance and the photograph in one edited segment (DESIGN 3.5), translucent light added.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shaders/lib/pixels.glsl"
@@ -31,22 +30,18 @@ float weightAt(float weight, uint slot, ivec2 pixel) {
 void main() {
     uint index = listIndex();
     if (index >= block.pixelCount) return;
-    ivec2 pixel = unpackPixel(pixels[index]);
+    ivec2 pixel = unpackPixel(pixels[block.firstPixel + index]);
     vec3 photo = texelFetch(frontColorMap, pixel, 0).rgb;
-    float count = texelFetch(countMap, pixel, 0).x;
-    vec3 result = photo;
-    if (count > 0.0) {
-        vec3 fresh = block.filtered != 0u ? texelFetch(filteredMap, pixel, 0).rgb
-                                          : texelFetch(accumulationMap, pixel, 0).rgb / count;
-        if (block.translucent != 0u) {
-            vec3 diffusion = texelFetch(diffusionMap, pixel, 0).rgb;
-            vec3 wo = normalize(-frontPosition(pixel));
-            vec3 n = shading_normal(texelFetch(frontNormalMap, pixel, 0).xyz, wo);
-            float transmission = fresnel_transmission(sliceValue(block.eta), max(dot(n, wo), 0.0));
-            fresh += weightAt(block.translucentWeight, kDriveTranslucentWeight, pixel) * transmission * kInvPi * diffusion;
-        }
-        result = weightAt(block.blendNew, kDriveBlendNew, pixel) * fresh +
-                 weightAt(block.blendOriginal, kDriveBlendOriginal, pixel) * photo;
+    vec3 fresh = block.filtered != 0u ? texelFetch(filteredMap, pixel, 0).rgb
+                                      : texelFetch(accumulationMap, pixel, 0).rgb / texelFetch(countMap, pixel, 0).x;
+    if (block.translucent != 0u) {
+        vec3 diffusion = texelFetch(diffusionMap, pixel, 0).rgb;
+        vec3 wo = normalize(-frontPosition(pixel));
+        vec3 n = shading_normal(texelFetch(frontNormalMap, pixel, 0).xyz, wo);
+        float transmission = fresnel_transmission(sliceValue(block.eta), max(dot(n, wo), 0.0));
+        fresh += weightAt(block.translucentWeight, kDriveTranslucentWeight, pixel) * transmission * kInvPi * diffusion;
     }
+    vec3 result = weightAt(block.blendNew, kDriveBlendNew, pixel) * fresh +
+             weightAt(block.blendOriginal, kDriveBlendOriginal, pixel) * photo;
     imageStore(resultMap, pixel, vec4(result, 1.0));
 }

@@ -1,7 +1,6 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// New colour of the partly covered pixels at an edited segment's outline (core/silhouette.h), after its composite. A
-// pixel whose source has no sample yet stays as it is.
+// New colour of the partly covered pixels at an edited segment's outline (core/silhouette.h), after its composite.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shaders/lib/pixels.glsl"
@@ -11,7 +10,6 @@
 layout(local_size_x = 64) in;
 layout(push_constant) uniform Block { SilhouetteBlock block; };
 layout(set = 1, binding = SILHOUETTE_PIXELS) readonly buffer Pixels { MixedPixel pixels[]; };
-layout(set = 1, binding = SILHOUETTE_COUNT) uniform texture2D countMap;
 layout(set = 1, binding = SILHOUETTE_RESULT, rgba32f) uniform image2D resultMap;
 layout(set = 1, binding = SILHOUETTE_DRIVES) readonly buffer Drives { Drive drives[]; };
 layout(set = 1, binding = SILHOUETTE_DRIVE_VALUES) readonly buffer DriveValues { float driveValues[]; };
@@ -22,7 +20,6 @@ void main() {
     uint index = listIndex();
     if (index >= block.pixelCount) return;
     ivec2 source = unpackPixel(pixels[index].source);
-    if (texelFetch(countMap, source, 0).x <= 0.0) return;
     float original = drivenWeight(block.blendOriginal, kDriveBlendOriginal, block.firstDrive, block.driveCount, source);
     vec3 kept = pixels[index].kept.rgb + original * pixels[index].keptOriginal.rgb;
     vec3 shown = imageLoad(resultMap, source).rgb;

@@ -2,11 +2,13 @@
 #include "core/render/renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <future>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -44,6 +46,25 @@ constexpr std::uint64_t kMinAccesses = 200000;  // likewise
 // For how long a call that could only wait for other threads does so [s]: too short to be felt in a window.
 constexpr double kBackgroundWait = 2e-3;
 
+// Order of the pixels in a sweep: an ordered dither, so that a part of a sweep shows the change all over the segment.
+constexpr int kSweepStep = 4;
+constexpr std::array<std::pair<int, int>, kSweepStep * kSweepStep> kSweepOrder{{{0, 0},
+                                                                                {2, 2},
+                                                                                {2, 0},
+                                                                                {0, 2},
+                                                                                {1, 1},
+                                                                                {3, 3},
+                                                                                {3, 1},
+                                                                                {1, 3},
+                                                                                {1, 0},
+                                                                                {3, 2},
+                                                                                {3, 0},
+                                                                                {1, 2},
+                                                                                {0, 1},
+                                                                                {2, 3},
+                                                                                {2, 1},
+                                                                                {0, 3}}};
+
 enum class Task { None, Reshade, Filter, Irradiance, Gather };
 
 gpu::Texture makeTarget(const gpu::Device& device, const char* label, std::uint32_t width, std::uint32_t height,
@@ -53,6 +74,13 @@ gpu::Texture makeTarget(const gpu::Device& device, const char* label, std::uint3
                                  .format = format,
                                  .usage = gpu::TextureUsage::TextureBinding | gpu::TextureUsage::StorageBinding |
                                           gpu::TextureUsage::CopySrc | gpu::TextureUsage::CopyDst});
+}
+
+/// Whether the composite of the same light is the same; not for weights that vary over the segment.
+bool sameBlend(const core::Material& a, const core::Material& b) {
+    if (a.blendNew != b.blendNew || a.blendOriginal != b.blendOriginal) return false;
+    if (!a.translucency || !b.translucency) return !a.translucency && !b.translucency;
+    return a.translucency->weight == b.translucency->weight && a.translucency->eta == b.translucency->eta;
 }
 
 std::uint32_t positive(int value) { return static_cast<std::uint32_t>(std::max(value, 1)); }
@@ -209,7 +237,7 @@ void Renderer::Impl::setScene(const core::Scene& next, std::shared_ptr<const cor
 
 void Renderer::Impl::updateSegment(SegmentState& state, const core::Segment& segment) {
     const core::Material& material = *segment.edit;
-    if (!(state.material == material) || !material.drives.empty()) state.compositeStale = true;
+    if (!sameBlend(state.material, material) || shading[segment.label].drives.w > 0) state.compositeStale = true;
     state.material = material;
 
     SumKey key;
@@ -229,12 +257,7 @@ void Renderer::Impl::updateSegment(SegmentState& state, const core::Segment& seg
     }
     if (!key.same(state.reshadeKey) || state.samples > targetSamples()) {
         state.reshadeKey = std::move(key);
-        state.reshadeFresh = true;
-        state.samples = 0;
-        state.cursor = 0;
-        state.filteredSamples = 0;
-        state.filterStep = -1;
-        state.compositeStale = true;
+        state.restartReshade();
     }
     if (!material.translucency) {
         state.pointsStale = true;
@@ -349,10 +372,11 @@ void Renderer::Impl::preparePixels(SegmentState& state) {
     const core::LabelImage& labels = scene.photo->labels;
     const core::ImageF& depth = analysis->front->depth;
     std::vector<std::uint32_t> pixels;
-    for (int y = 0; y < labels.height(); ++y)
-        for (int x = 0; x < labels.width(); ++x)
-            if (labels(x, y) == state.label && depth(x, y) > 0)
-                pixels.push_back(static_cast<std::uint32_t>(x) | static_cast<std::uint32_t>(y) << 16);
+    for (const auto& [x0, y0] : kSweepOrder)
+        for (int y = y0; y < labels.height(); y += kSweepStep)
+            for (int x = x0; x < labels.width(); x += kSweepStep)
+                if (labels(x, y) == state.label && depth(x, y) > 0)
+                    pixels.push_back(static_cast<std::uint32_t>(x) | static_cast<std::uint32_t>(y) << 16);
     state.pixels.count = static_cast<std::uint32_t>(pixels.size());
     state.pixels.buffer =
         makeBuffer(device, "pixels of segment " + std::to_string(state.label), gpu::BufferUsage::Storage, pixels);
@@ -447,7 +471,7 @@ std::pair<SegmentState*, Task> Renderer::Impl::nextTask() {
     };
     for (SegmentState& state : segments) {
         if (state.pixels.count == 0) continue;
-        if (state.reshadeFresh || state.samples == 0) {
+        if (state.samples == 0) {
             offer(state, Task::Reshade, 0);
         } else if (wantsFilter(state)) {
             offer(state, Task::Filter, 1.5);
@@ -470,15 +494,11 @@ double Renderer::Impl::recordReshade(const gpu::CommandEncoder& encoder, Segment
     kernel::ReshadeBlock block{};
     block.seed = scene.render.seed;
     block.bounces = positive(scene.render.bounces);
-    if (state.reshadeFresh) {
-        block.pixelCount = state.pixels.count;
-        reshade.record(encoder, geometry, state.reshadeGroup, block);
-        state.reshadeFresh = false;
-    }
     const std::uint64_t units = timer.units(kind, kPathGuess, seconds, kListGroupSize);
-    block.firstPixel = state.cursor;
+    const PixelRange range = state.nextPixels(units);
+    block.firstPixel = range.first;
     block.firstSample = state.samples;
-    block.pixelCount = static_cast<std::uint32_t>(std::min<std::uint64_t>(units, state.pixels.count - state.cursor));
+    block.pixelCount = range.count;
     block.sampleCount = 1;
     if (block.pixelCount == state.pixels.count) {
         // At least two slices' worth of whole sweeps; stops where the filter wants a look.
@@ -495,13 +515,14 @@ double Renderer::Impl::recordReshade(const gpu::CommandEncoder& encoder, Segment
         const auto region = timer.measure(encoder, kind, paths_);
         reshade.record(encoder, geometry, state.reshadeGroup, block);
     }
-    state.cursor += block.pixelCount;
+    state.cursor += range.count;
+    if (range.first <= state.reached) state.reached = std::max(state.reached, range.first + range.count);
     if (state.cursor == state.pixels.count) {
-        state.cursor = 0;
+        state.cursor = state.sweepStart = 0;
         state.samples += block.sampleCount;
     }
     // A filtered picture stays on show until the next one is ready.
-    if (!scene.render.filter || state.filteredSamples == 0) state.compositeStale = true;
+    if (!scene.render.filter || state.filteredSamples == 0) state.advanced.push_back(range);
     dropped->dirty = true;
     return static_cast<double>(paths_) * timer.cost(kind, kPathGuess);
 }
@@ -598,22 +619,31 @@ double Renderer::Impl::recordGather(const gpu::CommandEncoder& encoder, SegmentS
 }
 
 void Renderer::Impl::recordComposite(const gpu::CommandEncoder& encoder, SegmentState& state) {
+    if (state.compositeStale) state.advanced = {{0, state.reached}};
     state.compositeStale = false;
     const core::Material& material = state.material;
-    const kernel::CompositeBlock block{.pixelCount = state.pixels.count,
-                                       .filtered = scene.render.filter && state.filteredSamples > 0 ? 1u : 0u,
-                                       .blendNew = material.blendNew,
-                                       .blendOriginal = material.blendOriginal,
-                                       .translucentWeight = state.translucent() ? material.translucency->weight : 0.0f,
-                                       .eta = state.irradianceKey.eta,
-                                       .translucent = state.translucent() ? 1u : 0u,
-                                       .firstDrive = shading[state.label].drives.z,
-                                       .driveCount = shading[state.label].drives.w,
-                                       .pad0 = 0,
-                                       .pad1 = 0,
-                                       .pad2 = 0};
-    const auto region = timer.measure(encoder, "composite", state.pixels.count);
-    composite.record(encoder, geometry, state.compositeGroup, block);
+    kernel::CompositeBlock block{.firstPixel = 0,
+                                 .pixelCount = 0,
+                                 .filtered = scene.render.filter && state.filteredSamples > 0 ? 1u : 0u,
+                                 .blendNew = material.blendNew,
+                                 .blendOriginal = material.blendOriginal,
+                                 .translucentWeight = state.translucent() ? material.translucency->weight : 0.0f,
+                                 .eta = state.irradianceKey.eta,
+                                 .translucent = state.translucent() ? 1u : 0u,
+                                 .firstDrive = shading[state.label].drives.z,
+                                 .driveCount = shading[state.label].drives.w,
+                                 .pad0 = 0,
+                                 .pad1 = 0};
+    for (const PixelRange& range : std::exchange(state.advanced, {})) {
+        if (range.count == 0) continue;
+        block.firstPixel = range.first;
+        block.pixelCount = range.count;
+        // Of a few pixels it costs mostly its start, which tells nothing of a whole one.
+        std::optional<gpu::PassTimer::Region> region;
+        if (range.count == state.pixels.count) region.emplace(timer.measure(encoder, "composite", range.count));
+        composite.record(encoder, geometry, state.compositeGroup, block);
+    }
+    if (state.reached < state.pixels.count) return;
     silhouette.record(encoder, geometry, state.silhouetteGroup,
                       {.pixelCount = state.silhouette.count,
                        .blendOriginal = material.blendOriginal,
@@ -701,7 +731,8 @@ bool Renderer::Impl::record(gpu::CommandEncoder& encoder, double budgetSeconds) 
     }
 
     double left = budgetSeconds;
-    for (const SegmentState& state : segments) left -= state.pixels.count * timer.cost("composite", kCompositeGuess);
+    for (const SegmentState& state : segments)
+        if (state.compositeStale) left -= state.reached * timer.cost("composite", kCompositeGuess);
     do {
         const auto [state, task] = nextTask();
         if (task == Task::None) break;
@@ -726,7 +757,7 @@ bool Renderer::Impl::record(gpu::CommandEncoder& encoder, double budgetSeconds) 
     } while (left > 0.1 * budgetSeconds);
 
     for (SegmentState& state : segments) {
-        if (!state.compositeStale || state.pixels.count == 0) continue;
+        if (!state.compositeStale && state.advanced.empty()) continue;
         recordComposite(encoder, state);
         worked = true;
     }

@@ -54,6 +54,20 @@ bool SumKey::same(const SumKey& other) const {
                       [](const auto& a, const auto& b) { return equal(a, b); });
 }
 
+void SegmentState::restartReshade() {
+    if (pixels.count > 0) sweepStart = (sweepStart + cursor) % pixels.count;
+    cursor = 0;
+    samples = 0;
+    filteredSamples = 0;
+    filterStep = -1;
+}
+
+PixelRange SegmentState::nextPixels(std::uint64_t units) const {
+    const std::uint32_t first = (sweepStart + cursor) % pixels.count;
+    const std::uint32_t most = std::min(pixels.count - cursor, pixels.count - first);
+    return {first, static_cast<std::uint32_t>(std::min<std::uint64_t>(units, most))};
+}
+
 std::uint32_t SegmentState::gatherable() const {
     for (const std::uint32_t part : {1U, 8U, 64U})
         if (litPoints >= std::max(points.count / part, 1U)) return points.count / part;

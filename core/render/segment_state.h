@@ -49,6 +49,12 @@ struct SurfaceGrids {
 [[nodiscard]] SurfaceGrids makeSurfaceGrids(const core::Photo& photo, const core::Analysis& analysis,
                                             std::uint16_t label, const core::RenderParams& params);
 
+/// Part of a pixel list.
+struct PixelRange {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+};
+
 /// How far the work on one edited segment has come.
 struct SegmentState {
     std::uint16_t label = 0;
@@ -57,9 +63,11 @@ struct SegmentState {
 
     // Re-shading: whole sweeps over the pixels, and a partial one.
     SumKey reshadeKey;
-    bool reshadeFresh = true;  ///< the sum has to be cleared first
     std::uint32_t samples = 0;
-    std::uint32_t cursor = 0;  ///< pixels of the next sweep that are done
+    std::uint32_t sweepStart = 0;  ///< where in the list the sweep in work began; it goes on at the list's begin
+    std::uint32_t cursor = 0;      ///< pixels of the sweep in work that are done
+    std::uint32_t reached =
+        0;  ///< pixels, from the list's begin on, that have ever had a sum; others show the photograph
     gpu::BindGroup reshadeGroup;
 
     // Translucency: samples are lit in order. With a 64th, an eighth and all of them the grids take in their light
@@ -98,8 +106,14 @@ struct SegmentState {
     gpu::BindGroup silhouetteGroup;
 
     gpu::BindGroup compositeGroup;
-    bool compositeStale = true;
+    bool compositeStale = true;        ///< of all pixels
+    std::vector<PixelRange> advanced;  ///< of these only: new since the last composite
 
+    /// Begins a new sum. The sweep goes on where it stands, so that every pixel has its turn however often this
+    /// happens; until then a pixel keeps the old sum.
+    void restartReshade();
+    /// Up to `units` pixels that the sweep in work takes next.
+    [[nodiscard]] PixelRange nextPixels(std::uint64_t units) const;
     [[nodiscard]] bool translucent() const { return material.translucency.has_value(); }
     /// Samples a sum could have now that is worth showing; 0 = too few are lit.
     [[nodiscard]] std::uint32_t gatherable() const;

@@ -17,6 +17,7 @@
 KERNEL_BEGIN
 
 struct CompositeBlock {
+    uint firstPixel;
     uint pixelCount;
     uint filtered;  // 1: take the filtered colour
     float blendNew;
@@ -28,7 +29,6 @@ struct CompositeBlock {
     uint driveCount;
     uint pad0;
     uint pad1;
-    uint pad2;
 };
 KERNEL_BLOCK(CompositeBlock, 48)
 

@@ -6,10 +6,9 @@
 #include "shaders/shared/interop.h"
 
 #define SILHOUETTE_PIXELS 0        // MixedPixel
-#define SILHOUETTE_COUNT 1         // r32float: samples in the sum
-#define SILHOUETTE_RESULT 2        // rgba32float
-#define SILHOUETTE_DRIVES 3        // Drive
-#define SILHOUETTE_DRIVE_VALUES 4  // float
+#define SILHOUETTE_RESULT 1        // rgba32float
+#define SILHOUETTE_DRIVES 2        // Drive
+#define SILHOUETTE_DRIVE_VALUES 3  // float
 
 KERNEL_BEGIN
 

@@ -168,13 +168,13 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
                   MEMBER(FilterBlock, normalPower), MEMBER(FilterBlock, depthSigma),
                   MEMBER(FilterBlock, luminanceSigma), MEMBER(FilterBlock, temporalSamples), MEMBER(FilterBlock, pad0)},
                  sizeof(kernel::FilterBlock));
-    expectLayout(
-        composite_spv, "CompositeBlock",
-        {MEMBER(CompositeBlock, pixelCount), MEMBER(CompositeBlock, filtered), MEMBER(CompositeBlock, blendNew),
-         MEMBER(CompositeBlock, blendOriginal), MEMBER(CompositeBlock, translucentWeight), MEMBER(CompositeBlock, eta),
-         MEMBER(CompositeBlock, translucent), MEMBER(CompositeBlock, firstDrive), MEMBER(CompositeBlock, driveCount),
-         MEMBER(CompositeBlock, pad0), MEMBER(CompositeBlock, pad1), MEMBER(CompositeBlock, pad2)},
-        sizeof(kernel::CompositeBlock));
+    expectLayout(composite_spv, "CompositeBlock",
+                 {MEMBER(CompositeBlock, firstPixel), MEMBER(CompositeBlock, pixelCount),
+                  MEMBER(CompositeBlock, filtered), MEMBER(CompositeBlock, blendNew),
+                  MEMBER(CompositeBlock, blendOriginal), MEMBER(CompositeBlock, translucentWeight),
+                  MEMBER(CompositeBlock, eta), MEMBER(CompositeBlock, translucent), MEMBER(CompositeBlock, firstDrive),
+                  MEMBER(CompositeBlock, driveCount), MEMBER(CompositeBlock, pad0), MEMBER(CompositeBlock, pad1)},
+                 sizeof(kernel::CompositeBlock));
     expectLayout(silhouette_spv, "MixedPixel",
                  {MEMBER(MixedPixel, pixel), MEMBER(MixedPixel, source), MEMBER(MixedPixel, coverage),
                   MEMBER(MixedPixel, pad0), MEMBER(MixedPixel, kept), MEMBER(MixedPixel, keptOriginal)},

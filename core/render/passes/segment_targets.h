@@ -22,7 +22,7 @@ struct Targets {
 
 /// Pixels of one segment with a valid depth.
 struct PixelList {
-    gpu::Buffer buffer;  ///< x | y << 16, by rows
+    gpu::Buffer buffer;  ///< x | y << 16
     std::uint32_t count = 0;
 };
 

@@ -11,7 +11,6 @@ SilhouettePass::SilhouettePass(const gpu::Device& device, const gpu::BindGroupLa
     using enum gpu::BindingType;
     layout_ = makeLayout(device, "silhouette",
                          {{SILHOUETTE_PIXELS, ReadOnlyStorageBuffer},
-                          {SILHOUETTE_COUNT, SampledTexture},
                           {SILHOUETTE_RESULT, ReadWriteStorageTexture},
                           {SILHOUETTE_DRIVES, ReadOnlyStorageBuffer},
                           {SILHOUETTE_DRIVE_VALUES, ReadOnlyStorageBuffer}});
@@ -39,7 +38,6 @@ gpu::BindGroup SilhouettePass::bind(const PathInputs& inputs, const PixelList& p
         {.label = "silhouette",
          .layout = layout_,
          .entries = {{.binding = SILHOUETTE_PIXELS, .buffer = pixels.buffer},
-                     {.binding = SILHOUETTE_COUNT, .textureView = targets.count.createView()},
                      {.binding = SILHOUETTE_RESULT, .textureView = targets.result.createView()},
                      {.binding = SILHOUETTE_DRIVES, .buffer = inputs.drives},
                      {.binding = SILHOUETTE_DRIVE_VALUES, .buffer = inputs.driveValues}}});
