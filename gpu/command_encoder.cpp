@@ -51,6 +51,11 @@ void CommandEncoderImpl::writeTimestamp(QuerySetImpl& querySet, std::uint32_t in
     vkCmdWriteTimestamp(commands_->vk, stage, querySet.vk, index);
 }
 
+void CommandEncoderImpl::executionBarrier() {
+    vkCmdPipelineBarrier(commands_->vk, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
+                         nullptr, 0, nullptr, 0, nullptr);
+}
+
 }  // namespace detail
 
 namespace {

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "gpu/detail/commands.h"
 #include "gpu/detail/device_impl.h"
 #include "gpu/detail/resources.h"
 
@@ -39,6 +40,7 @@ PassTimer::Region PassTimer::measure(const CommandEncoder& encoder, std::string 
     }
     const std::uint32_t index = state_->freeRegions.back();
     encoder.writeTimestamp(state_->queries, 2 * index);
+    encoder.impl()->executionBarrier();
     state_->freeRegions.pop_back();
     return Region(std::make_unique<Region::Data>(Region::Data{state_, encoder, std::move(label), index}));
 }
@@ -62,6 +64,7 @@ void PassTimer::Region::end() {
     if (!data_) return;
     const std::unique_ptr<Data> data = std::move(data_);
     data->encoder.writeTimestamp(data->state->queries, 2 * data->index + 1);
+    data->encoder.impl()->executionBarrier();
     // The timer may be gone before the device is done; and a strong reference would keep the device alive through
     // its own list of callbacks.
     const std::weak_ptr<State> state = data->state;

@@ -166,6 +166,9 @@ class CommandEncoderImpl {
     [[nodiscard]] CommandBufferImpl& commands() const { return *commands_; }
 
     void writeTimestamp(QuerySetImpl& querySet, std::uint32_t index, VkPipelineStageFlagBits stage);
+    /// Nothing after it begins before everything before it has ended. Software drivers write a timestamp only when they
+    /// wait, that is, after later dispatches unless there is a barrier in between.
+    void executionBarrier();
 
     bool passOpen = false;
     int debugGroups = 0;

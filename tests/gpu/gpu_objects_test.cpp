@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Memory, mapping, copies, lifetimes, completion, time: the object model's contracts.
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <numeric>
 #include <thread>
 
 #include "gpu/pass_timer.h"
+#include "kernels/test_feedback.h"
 #include "kernels/test_show.h"
 #include "kernels/test_sum.h"
 #include "kernels/test_triangle.h"
@@ -299,6 +301,48 @@ TEST_F(GpuObjects, TimestampsRiseAndTheTimerReports) {
     EXPECT_GT(results[0].seconds, 0);
     EXPECT_LE(results[0].seconds, seconds);
     EXPECT_EQ(timer.dropped(), 0u);
+}
+
+TEST_F(GpuObjects, TheTimerTimesEveryDispatchForItself) {
+    if (!device.limits().timestamps) GTEST_SKIP() << "this device has no timestamps";
+    constexpr std::uint32_t kSide = 1024;
+    const gpu::ComputePipeline pipeline = pipelineOf("feedback", test_feedback_spv);
+    std::vector<gpu::BindGroup> groups;  // of different pictures, so that nothing else keeps the dispatches apart
+    for (int i = 0; i < 2; ++i) {
+        const gpu::Texture picture =
+            device.createTexture({.label = "picture",
+                                  .size = {kSide, kSide},
+                                  .format = gpu::TextureFormat::RGBA32Float,
+                                  .usage = TextureUsage::StorageBinding | TextureUsage::CopySrc});
+        groups.push_back(device.createBindGroup({.label = "feedback",
+                                                 .layout = pipeline.getBindGroupLayout(0),
+                                                 .entries = {{.binding = 0, .textureView = picture.createView()}}}));
+    }
+    gpu::PassTimer timer(device, 4);
+    const auto once = [&] {
+        device.waitIdle();
+        const auto start = std::chrono::steady_clock::now();
+        run([&](const gpu::CommandEncoder& encoder) {
+            for (std::size_t i = 0; i < groups.size(); ++i) {
+                const auto region = timer.measure(encoder, std::to_string(i));
+                const auto pass = encoder.beginComputePass();
+                pass.setPipeline(pipeline);
+                pass.setBindGroup(0, groups[i]);
+                pass.dispatchWorkgroups(kSide / 8, i == 0 ? kSide / 8 : 1);
+                pass.end();
+            }
+        });
+        device.waitIdle();
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    (void)once();  // the first use of a kernel takes longer
+    (void)timer.takeResults();
+    const double wall = once();
+    const std::vector<gpu::PassTimer::Timing> times = timer.takeResults();
+    ASSERT_EQ(times.size(), 2u);
+    EXPECT_LE(times[0].seconds, wall);
+    EXPECT_GT(times[0].seconds, 0.3 * wall) << "all but a hundredth of the work";
+    EXPECT_LT(times[1].seconds, 0.3 * times[0].seconds);
 }
 
 TEST_F(GpuObjects, TheTimerCountsWhatItCannotHold) {
