@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shows a scene-linear (or display-encoded) picture: pan, zoom, exposure, sRGB, the selected segment's outline.
+// Draws a scene-linear (or display-encoded) picture display-encoded: pan, zoom, exposure, sRGB, the selected segment's
+// outline.
 // Filtering is done here, in linear light, because 32-bit floats need not be filterable: nearest from 200 %, bilinear
 // from 100 %, box filter below; which of them is a specialization constant.
 #version 450
@@ -48,10 +49,6 @@ vec3 encode(vec3 c) {
     return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));
 }
 
-vec3 decode(vec3 c) {
-    return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, lessThanEqual(c, vec3(0.04045)));
-}
-
 bool isSelected(vec2 p) {
     ivec2 size = textureSize(labels, 0);
     ivec2 i = ivec2(floor(p));
@@ -82,6 +79,5 @@ void main() {
         vec4 ruler = texelFetch(rulerImage, ivec2(gl_FragCoord.xy - block.ruler), 0);
         display = ruler.rgb + (1.0 - ruler.a) * display;
     }
-    if ((kFlags & CANVAS_TARGET_ENCODES) != 0u) display = decode(display);
     target = vec4(display, 1.0);
 }

@@ -22,8 +22,7 @@ QVulkanWindowRenderer* CanvasWindow::createRenderer() {
 }
 
 void CanvasWindow::redraw() {
-    if (!isExposed() || (renderer_ != nullptr && renderer_->holdFrame())) return;
-    requestUpdate();
+    if (renderer_ != nullptr) renderer_->paint();
 }
 
 void CanvasWindow::updateSizes() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Push constants and bindings of canvas.frag, which draws a picture into the window.
+// Push constants and bindings of canvas.frag, which draws what the window shows.
 #ifndef PATINA_CANVAS_BLOCK_H
 #define PATINA_CANVAS_BLOCK_H
 
@@ -15,10 +15,9 @@
 #define CANVAS_FLAGS 1
 
 #define CANVAS_PICTURE_ENCODED 1u  // the picture is display-encoded: no exposure, no transfer function
-#define CANVAS_TARGET_ENCODES 2u   // the swapchain's format is sRGB: the hardware applies the transfer function
-#define CANVAS_OUTLINE 4u          // draw the outline of `selected`
-#define CANVAS_OVERLAY 8u          // draw the mask and the brush
-#define CANVAS_RULER 16u           // draw the ruler
+#define CANVAS_OUTLINE 2u          // draw the outline of `selected`
+#define CANVAS_OVERLAY 4u          // draw the mask and the brush
+#define CANVAS_RULER 8u            // draw the ruler
 
 KERNEL_BEGIN
 
