@@ -174,7 +174,6 @@ void Canvas::setScene(const core::Scene& scene, std::shared_ptr<const core::Anal
     // Another edit may be one that the device survives.
     if (restarts_ > kMaxRestarts) QTimer::singleShot(kRestartDelay, this, &Canvas::restart);
     restarts_ = 0;
-    window_->redraw();
 }
 
 void Canvas::setPaused(bool paused) {

@@ -52,7 +52,8 @@ CanvasPainter::CanvasPainter(gpu::Device device) : device_(std::move(device)) {
 }
 
 void CanvasPainter::record(const gpu::CommandEncoder& encoder, const CanvasState& state, QSize size, double ratio,
-                           const gpu::Texture& result) {
+                           const gpu::Texture& result, const std::optional<QRect>& changed) {
+    bool whole = !changed;
     if (!screen_ || static_cast<int>(screen_.width()) != size.width() ||
         static_cast<int>(screen_.height()) != size.height()) {
         screen_ = device_.createTexture(
@@ -60,6 +61,7 @@ void CanvasPainter::record(const gpu::CommandEncoder& encoder, const CanvasState
              .size = {static_cast<std::uint32_t>(size.width()), static_cast<std::uint32_t>(size.height()), 1},
              .format = kScreenFormat,
              .usage = gpu::TextureUsage::RenderAttachment | gpu::TextureUsage::TextureBinding});
+        whole = true;
     }
     updateLabels(state);
     updateMask(state);
@@ -93,22 +95,29 @@ void CanvasPainter::record(const gpu::CommandEncoder& encoder, const CanvasState
                                                  {.binding = CANVAS_LABELS, .textureView = labels_.createView()},
                                                  {.binding = CANVAS_MASK, .textureView = mask.createView()},
                                                  {.binding = CANVAS_RULER_IMAGE, .textureView = ruler.createView()}}});
+        whole = true;
         boundMask_ = mask;
         boundRuler_ = ruler;
         boundPicture_ = picture;
         boundLabels_ = labels_;
     }
+    const double zoom = state.view.zoom();
+    const auto toView = [&](const QRect& r) {
+        return QRectF(state.view.toView(r.topLeft()), state.view.toView(r.topLeft() + QPoint(r.width(), r.height())));
+    };
+    drawn_ = {QPoint(0, 0), size};
+    if (!whole) {
+        constexpr double kReach = 3;  // of any filter below 200 % [view pixels]
+        drawn_ &= toView(*changed).adjusted(-kReach, -kReach, kReach, kReach).toAlignedRect();
+    }
     const double surround = encodeSrgb(kernel::kCanvasSurround);
-    const gpu::RenderPassEncoder pass = encoder.beginRenderPass(
-        {.label = "canvas",
-         .colorAttachments = {{.view = screen_.createView(), .clearValue = {surround, surround, surround, 1.0}}}});
+    const gpu::RenderPassEncoder pass =
+        encoder.beginRenderPass({.label = "canvas",
+                                 .colorAttachments = {{.view = screen_.createView(),
+                                                       .loadOp = whole ? gpu::LoadOp::Clear : gpu::LoadOp::Load,
+                                                       .clearValue = {surround, surround, surround, 1.0}}}});
     if (shown) {
-        const double zoom = state.view.zoom();
         const int filter = zoom >= 2 ? 0 : zoom >= 1 ? 1 : std::min(static_cast<int>(std::ceil(1 / zoom)), kMaxTaps);
-        const auto toView = [&](const QRect& r) {
-            return QRectF(state.view.toView(r.topLeft()),
-                          state.view.toView(r.topLeft() + QPoint(r.width(), r.height())));
-        };
         drawPart(pass, state, toView(QRect(0, 0, state.photo->color.width(), state.photo->color.height())), filter,
                  flags);
         if (state.outlineShown && !state.selectedBounds.isEmpty()) {
@@ -220,8 +229,7 @@ const gpu::RenderPipeline& CanvasPainter::pipelineFor(int filter, unsigned flags
 
 void CanvasPainter::drawPart(const gpu::RenderPassEncoder& pass, const CanvasState& state, const QRectF& part,
                              int filter, unsigned flags) {
-    const QRect visible =
-        part.toAlignedRect() & QRect(0, 0, static_cast<int>(screen_.width()), static_cast<int>(screen_.height()));
+    const QRect visible = part.toAlignedRect() & drawn_;
     if (visible.isEmpty()) return;
     const QPointF origin = state.view.origin();
     kernel::CanvasBlock values{};

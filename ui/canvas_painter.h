@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "gpu/device.h"
@@ -19,9 +20,10 @@ class CanvasPainter {
     explicit CanvasPainter(gpu::Device device);
 
     /// Draws `state` for a view of `size` [device pixels] with `ratio` device pixels per logical one. `result` is the
-    /// renderer's picture, an empty handle when there is none.
+    /// renderer's picture, an empty handle when there is none. `changed`: all that is different from what was drawn
+    /// last is in this part of the picture.
     void record(const gpu::CommandEncoder& encoder, const CanvasState& state, QSize size, double ratio,
-                const gpu::Texture& result);
+                const gpu::Texture& result, const std::optional<QRect>& changed = std::nullopt);
     /// What was drawn last: rgba8unorm, usage TextureBinding; an empty handle before.
     [[nodiscard]] const gpu::Texture& screen() const { return screen_; }
 
@@ -31,7 +33,8 @@ class CanvasPainter {
     void updateRuler(const CanvasState& state, double ratio);
     /// Where the ruler goes in the view [device pixels]; empty without one.
     [[nodiscard]] QRect rulerPlace(const CanvasState& state) const;
-    /// Draws the picture into a rectangle of the view, made for exactly this filter and these CANVAS_* flags.
+    /// Draws the picture into a rectangle of the view, as far as it is to be drawn, made for exactly this filter and
+    /// these CANVAS_* flags.
     void drawPart(const gpu::RenderPassEncoder& pass, const CanvasState& state, const QRectF& part, int filter,
                   unsigned flags);
     [[nodiscard]] const gpu::RenderPipeline& pipelineFor(int filter, unsigned flags);
@@ -49,6 +52,7 @@ class CanvasPainter {
     gpu::PipelineLayout layout_;
     std::map<std::pair<int, unsigned>, gpu::RenderPipeline> pipelines_;
     gpu::Texture screen_;
+    QRect drawn_;  ///< what is to be drawn of it
     double ratio_ = 1;
     Upload original_;
     Upload layer_;

@@ -111,6 +111,11 @@ void CanvasRenderer::paint() {
     schedule();
 }
 
+void CanvasRenderer::sceneChanged() {
+    sceneStale_ = true;
+    schedule();
+}
+
 void CanvasRenderer::schedule() {
     if (!pending_ && !presenting_) start_.start(0);
 }
@@ -143,10 +148,14 @@ void CanvasRenderer::submitStep() {
         hasResult_ = static_cast<bool>(renderer_->result());
         progress_ = renderer_->progress();
     }
-    painted_ = paintWanted_ || (workLeft_ && !progress_.waiting);
+    const bool resultShown = hasResult_ && state.layer == ViewLayer::Result && !state.comparing;
+    const render::PixelBounds changed = hasResult_ ? renderer_->changed() : render::PixelBounds();
+    painted_ = paintWanted_ || (resultShown && !changed.empty());
     if (painted_) {
+        std::optional<QRect> part;
+        if (!paintWanted_) part = QRect(QPoint(changed.x0, changed.y0), QPoint(changed.x1 - 1, changed.y1 - 1));
         painter_->record(encoder, state, window_.swapChainImageSize(), window_.devicePixelRatio(),
-                         hasResult_ ? renderer_->result() : gpu::Texture());
+                         hasResult_ ? renderer_->result() : gpu::Texture(), part);
         if (hasResult_ && !progress_.waiting) paintedScene_ = renderedScene_;
         paintWanted_ = false;
     }

@@ -29,8 +29,8 @@ class CanvasRenderer : public QVulkanWindowRenderer {
     void logicalDeviceLost() override;
     void physicalDeviceLost() override;
 
-    /// The scene in the state changed.
-    void sceneChanged() { sceneStale_ = true; }
+    /// The scene in the state changed: the result follows soon.
+    void sceneChanged();
     [[nodiscard]] bool upToDate() const { return !sceneStale_ && hasResult_; }
     [[nodiscard]] std::uint64_t shownScene() const { return shownScene_; }
     /// Forgets a failure, for example memory that a smaller photograph does not need.

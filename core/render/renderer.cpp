@@ -137,6 +137,7 @@ struct Renderer::Impl {
     bool shadingStale = false;
     bool resultStale = false;  ///< the photograph has to be copied in again
     bool waiting = false;      ///< the last `record` could only wait for other threads
+    PixelBounds changed;       ///< by the last `record`, in the result
     PathInputs paths;
     Targets targets;
     std::vector<SegmentState> segments;  ///< edited ones, by label
@@ -165,6 +166,9 @@ struct Renderer::Impl {
     bool awaitPoints(double seconds);
     void recordDroppedReadback(const gpu::CommandEncoder& encoder);
 
+    [[nodiscard]] PixelBounds whole() const {
+        return {0, 0, static_cast<int>(geometry.width()), static_cast<int>(geometry.height())};
+    }
     [[nodiscard]] std::uint32_t targetSamples() const { return positive(scene.render.samples); }
     [[nodiscard]] std::uint32_t rays() const { return positive(scene.render.irradianceSamples); }
 };
@@ -375,8 +379,10 @@ void Renderer::Impl::preparePixels(SegmentState& state) {
     for (const auto& [x0, y0] : kSweepOrder)
         for (int y = y0; y < labels.height(); y += kSweepStep)
             for (int x = x0; x < labels.width(); x += kSweepStep)
-                if (labels(x, y) == state.label && depth(x, y) > 0)
+                if (labels(x, y) == state.label && depth(x, y) > 0) {
                     pixels.push_back(static_cast<std::uint32_t>(x) | static_cast<std::uint32_t>(y) << 16);
+                    state.pixels.bounds.include(x, y);
+                }
     state.pixels.count = static_cast<std::uint32_t>(pixels.size());
     state.pixels.buffer =
         makeBuffer(device, "pixels of segment " + std::to_string(state.label), gpu::BufferUsage::Storage, pixels);
@@ -643,7 +649,9 @@ void Renderer::Impl::recordComposite(const gpu::CommandEncoder& encoder, Segment
         if (range.count == state.pixels.count) region.emplace(timer.measure(encoder, "composite", range.count));
         composite.record(encoder, geometry, state.compositeGroup, block);
     }
+    changed.include(state.pixels.bounds);
     if (state.reached < state.pixels.count) return;
+    changed.include(state.silhouette.bounds);
     silhouette.record(encoder, geometry, state.silhouetteGroup,
                       {.pixelCount = state.silhouette.count,
                        .blendOriginal = material.blendOriginal,
@@ -707,10 +715,12 @@ void Renderer::Impl::keepPicture(const gpu::CommandEncoder& encoder) {
     geometry.record(encoder);
     encoder.copyTextureToTexture({.texture = geometry.photo()}, {.texture = targets.result},
                                  {geometry.width(), geometry.height()});
+    changed = whole();
     segments = std::move(kept);
 }
 
 bool Renderer::Impl::record(gpu::CommandEncoder& encoder, double budgetSeconds) {
+    changed = {};
     if (!analysis) return false;
     timer.collect();
     const double patience = std::min(budgetSeconds, kBackgroundWait);
@@ -727,6 +737,7 @@ bool Renderer::Impl::record(gpu::CommandEncoder& encoder, double budgetSeconds) 
                                      {geometry.width(), geometry.height()});
         for (SegmentState& state : segments) state.compositeStale = true;
         resultStale = false;
+        changed = whole();
         worked = true;
     }
 
@@ -816,5 +827,7 @@ Renderer::Progress Renderer::progress() const {
 }
 
 gpu::Texture Renderer::result() const { return impl_->targets.result; }
+
+PixelBounds Renderer::changed() const { return impl_->changed; }
 
 }  // namespace render

@@ -8,6 +8,7 @@
 
 #include "core/analysis.h"
 #include "core/environment_sampler.h"
+#include "core/render/passes/segment_targets.h"
 #include "core/scene.h"
 #include "core/step_context.h"
 #include "gpu/command_encoder.h"
@@ -60,6 +61,8 @@ class Renderer {
     /// An empty handle until the kernels are compiled, which `record` does not wait for; another texture when the
     /// photo's size changes.
     [[nodiscard]] gpu::Texture result() const;
+    /// Where the last `record` changes the result.
+    [[nodiscard]] PixelBounds changed() const;
 
   private:
     struct Impl;

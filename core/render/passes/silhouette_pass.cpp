@@ -22,15 +22,19 @@ PixelList SilhouettePass::upload(const std::vector<core::SilhouettePixel>& pixel
     const auto pack = [](int x, int y) { return static_cast<std::uint32_t>(x) | static_cast<std::uint32_t>(y) << 16; };
     std::vector<kernel::MixedPixel> packed;
     packed.reserve(pixels.size());
-    for (const core::SilhouettePixel& p : pixels)
+    PixelBounds bounds;
+    for (const core::SilhouettePixel& p : pixels) {
+        bounds.include(p.x, p.y);
         packed.push_back({.pixel = pack(p.x, p.y),
                           .source = pack(p.sourceX, p.sourceY),
                           .coverage = p.coverage,
                           .pad0 = 0,
                           .kept = {p.kept.x(), p.kept.y(), p.kept.z(), 0},
                           .keptOriginal = {p.keptOriginal.x(), p.keptOriginal.y(), p.keptOriginal.z(), 0}});
+    }
     return {.buffer = makeBuffer(device_, "silhouette", gpu::BufferUsage::Storage, packed),
-            .count = static_cast<std::uint32_t>(packed.size())};
+            .count = static_cast<std::uint32_t>(packed.size()),
+            .bounds = bounds};
 }
 
 gpu::BindGroup SilhouettePass::bind(const PathInputs& inputs, const PixelList& pixels, const Targets& targets) const {
