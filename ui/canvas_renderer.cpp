@@ -18,6 +18,8 @@ namespace {
 
 /// Device time a slice of the renderer's work may take [s] (STYLE section 8).
 constexpr double kSliceBudget = 0.03;
+/// Of the first slice that shows a change [s]: less, because the user waits for it.
+constexpr double kFirstSliceBudget = 0.015;
 
 /// How often to ask for work that other threads prepare [ms].
 constexpr int kWaitingInterval = 8;
@@ -136,14 +138,16 @@ void CanvasRenderer::submitStep() {
         progress_ = {};
         sceneStale_ = true;
     }
+    double budget = kSliceBudget;
     if (state.scene != nullptr && sceneStale_) {
+        budget = kFirstSliceBudget;
         if (renderer_ == nullptr) renderer_ = std::make_unique<render::Renderer>(device_);
         renderer_->setScene(*state.scene, state.analysis);
         renderedScene_ = state.sceneNumber;
         sceneStale_ = false;
     }
     gpu::CommandEncoder encoder = device_.createCommandEncoder({.label = "canvas step"});
-    workLeft_ = renderer_ != nullptr && !state.paused && renderer_->record(encoder, kSliceBudget);
+    workLeft_ = renderer_ != nullptr && !state.paused && renderer_->record(encoder, budget);
     if (renderer_ != nullptr) {
         hasResult_ = static_cast<bool>(renderer_->result());
         progress_ = renderer_->progress();

@@ -83,6 +83,23 @@ bool sameBlend(const core::Material& a, const core::Material& b) {
     return a.translucency->weight == b.translucency->weight && a.translucency->eta == b.translucency->eta;
 }
 
+std::uint16_t highestOf(const core::LabelImage& labels) {
+    const auto pixels = labels.pixels();
+    return pixels.empty() ? std::uint16_t{0} : *std::max_element(pixels.begin(), pixels.end());
+}
+
+/// By label, up to `highest`.
+std::vector<kernel::SegmentShading> shadingTable(const core::Scene& scene, const core::Analysis& analysis,
+                                                 std::uint16_t highest) {
+    std::vector<kernel::SegmentShading> table = core::buildSegmentShading(scene, analysis);
+    for (kernel::SegmentShading& entry : table)
+        if (entry.blend.w == 0) entry.brdf = kernel::BrdfParams{};
+    kernel::SegmentShading untouched{};
+    untouched.blend = {1, 0, 0, 0};
+    if (table.size() <= highest) table.resize(std::size_t{highest} + 1, untouched);
+    return table;
+}
+
 std::uint32_t positive(int value) { return static_cast<std::uint32_t>(std::max(value, 1)); }
 
 }  // namespace
@@ -127,6 +144,7 @@ struct Renderer::Impl {
 
     core::Scene scene;
     std::shared_ptr<const core::Analysis> analysis;
+    std::uint16_t highestLabel = 0;  ///< of the photograph
     std::vector<kernel::SegmentShading> shading;
     core::DriveTable drives;
     DriveBuffers driveBuffers;
@@ -143,7 +161,6 @@ struct Renderer::Impl {
     std::vector<SegmentState> segments;  ///< edited ones, by label
 
     void setScene(const core::Scene& next, std::shared_ptr<const core::Analysis> nextAnalysis);
-    [[nodiscard]] std::vector<kernel::SegmentShading> shadingTable(const core::Scene& s, const core::Analysis& a) const;
     void updateSegment(SegmentState& state, const core::Segment& segment);
     void upload();
     void prepareTargets();
@@ -175,23 +192,12 @@ struct Renderer::Impl {
 
 // ---- what to render -------------------------------------------------------------------------------------------------
 
-std::vector<kernel::SegmentShading> Renderer::Impl::shadingTable(const core::Scene& s, const core::Analysis& a) const {
-    std::vector<kernel::SegmentShading> table = core::buildSegmentShading(s, a);
-    const auto labels = s.photo->labels.pixels();
-    const std::uint16_t highest = labels.empty() ? std::uint16_t{0} : *std::max_element(labels.begin(), labels.end());
-    for (kernel::SegmentShading& entry : table)
-        if (entry.blend.w == 0) entry.brdf = kernel::BrdfParams{};
-    kernel::SegmentShading untouched{};
-    untouched.blend = {1, 0, 0, 0};
-    if (table.size() <= highest) table.resize(std::size_t{highest} + 1, untouched);
-    return table;
-}
-
 void Renderer::Impl::setScene(const core::Scene& next, std::shared_ptr<const core::Analysis> nextAnalysis) {
     CORE_ASSERT(next.photo && nextAnalysis && nextAnalysis->front && nextAnalysis->back, "a photo and its surfaces");
     geometry.requireFits(static_cast<std::uint32_t>(next.photo->color.width()),
                          static_cast<std::uint32_t>(next.photo->color.height()));
-    std::vector<kernel::SegmentShading> table = shadingTable(next, *nextAnalysis);
+    const std::uint16_t highest = next.photo == scene.photo ? highestLabel : highestOf(next.photo->labels);
+    std::vector<kernel::SegmentShading> table = shadingTable(next, *nextAnalysis, highest);
     core::DriveTable nextDrives = core::buildDrives(next, *nextAnalysis, table);
     geometry.requireBufferFits("varying parameters", nextDrives.valueCount * sizeof(float));
     const MeasuredFiles files = placeMeasured(next, table);
@@ -210,6 +216,7 @@ void Renderer::Impl::setScene(const core::Scene& next, std::shared_ptr<const cor
     if (next.render.filter != scene.render.filter)
         for (SegmentState& state : segments) state.compositeStale = true;
     scene = next;
+    highestLabel = highest;
     analysis = std::move(nextAnalysis);
     shading = std::move(table);
     drives = std::move(nextDrives);

@@ -156,8 +156,11 @@ void DeviceImpl::destroy() {
     for (auto& [slot, frame] : frames_) {
         for (const auto& recording : frame.recordings) complete(*recording);
     }
-    abandonAll();
     const std::shared_ptr<DeviceImpl> self = shared_from_this();
+    runReady();  // what has been done can still be read
+    if (destroyed_) return;
+    vkDeviceWaitIdle(vk());
+    abandonAll();
     std::vector<Submission> submissions(std::make_move_iterator(inFlight_.begin()),
                                         std::make_move_iterator(inFlight_.end()));
     inFlight_.clear();

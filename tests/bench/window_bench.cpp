@@ -5,11 +5,13 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QElapsedTimer>
+#include <QEventLoop>
 #include <QSettings>
 #include <QSlider>
 #include <QStyle>
 #include <QStyleOptionSlider>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -91,12 +93,17 @@ int run(const Options& options) {
     test::StallMeter stalls;
     const double start = now();
     QTest::mousePress(slider, Qt::LeftButton, {}, handle(*slider, slider->value()));
-    while (now() - start < options.seconds * 1000) {
+    QEventLoop dragging;  // not qWait, which sleeps between events
+    QTimer mouse;
+    mouse.setTimerType(Qt::PreciseTimer);
+    QObject::connect(&mouse, &QTimer::timeout, &dragging, [&] {
+        if (now() - start >= options.seconds * 1000) return dragging.quit();
         const double phase = (now() - start) / 4000;  // to and fro in four seconds
         const double triangle = std::abs(phase - std::floor(phase) - 0.5) * 2;
         QTest::mouseMove(slider, handle(*slider, static_cast<int>(100 + 800 * triangle)));
-        QTest::qWait(8);
-    }
+    });
+    mouse.start(8);
+    dragging.exec();
     QTest::mouseRelease(slider, Qt::LeftButton, {}, handle(*slider, slider->value()));
     const auto longest = static_cast<double>(stalls.longest());
     const double dragged = (now() - start) / 1000;

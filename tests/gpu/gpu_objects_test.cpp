@@ -248,6 +248,27 @@ TEST_F(GpuObjects, DestroyKillsEveryHandleAndSaysSo) {
     EXPECT_EQ(lost, 1);
 }
 
+TEST_F(GpuObjects, WhatIsDoneWhenTheDeviceIsDestroyedCanStillBeRead) {
+    gpu::Device other = context().adapter.requestDevice({.label = "doomed"});
+    const gpu::Buffer buffer =
+        other.createBuffer({.label = "left", .size = 16, .usage = BufferUsage::MapRead | BufferUsage::CopyDst});
+    const std::vector<std::uint32_t> values = counting(4);
+    other.queue().writeBuffer(buffer, 0, values);
+    std::uint32_t last = 0;
+    buffer.mapAsync(gpu::MapMode::Read, 0, 16, [&](MapAsyncStatus status, std::string_view) {
+        EXPECT_EQ(status, MapAsyncStatus::Success);
+        last = static_cast<const std::uint32_t*>(buffer.getConstMappedRange())[3];
+        buffer.unmap();
+    });
+    for (int i = 0; i < 50; ++i) {  // submitting notices what is done, but callbacks come from tick
+        other.queue().submit(other.createCommandEncoder().finish());
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    EXPECT_EQ(last, 0u);
+    other.destroy();
+    EXPECT_EQ(last, 4u);
+}
+
 TEST_F(GpuObjects, SubmittedWorkDoneComesOnceAfterTheWork) {
     int calls = 0;
     run([](const gpu::CommandEncoder&) {});
