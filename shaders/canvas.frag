@@ -20,8 +20,7 @@ layout(constant_id = CANVAS_FILTER) const int kFilter = 0;
 layout(constant_id = CANVAS_FLAGS) const uint kFlags = 0;
 
 vec3 texel(ivec2 p, ivec2 size) {
-    vec3 c = texelFetch(picture, clamp(p, ivec2(0), size - 1), 0).rgb;
-    return mix(c, vec3(0.0), isnan(c));
+    return texelFetch(picture, clamp(p, ivec2(0), size - 1), 0).rgb;
 }
 
 vec3 filtered(vec2 p, ivec2 size) {
@@ -61,6 +60,7 @@ void main() {
     vec2 p = block.origin + gl_FragCoord.xy * block.step;
     bool inside = all(greaterThanEqual(p, vec2(0.0))) && all(lessThan(p, vec2(size)));
     vec3 c = filtered(p, size);
+    c = mix(c, vec3(0.0), isnan(c));
     vec3 display = (kFlags & CANVAS_PICTURE_ENCODED) != 0u ? clamp(c, vec3(0.0), vec3(1.0)) : encode(c * block.gain);
     if (!inside) display = encode(vec3(kCanvasSurround));
     if ((kFlags & CANVAS_OUTLINE) != 0u) {

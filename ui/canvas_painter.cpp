@@ -4,6 +4,7 @@
 #include <kernels/canvas.h>
 #include <kernels/fullscreen.h>
 
+#include <QRegion>
 #include <algorithm>
 #include <cmath>
 
@@ -53,7 +54,7 @@ CanvasPainter::CanvasPainter(gpu::Device device) : device_(std::move(device)) {
 
 void CanvasPainter::record(const gpu::CommandEncoder& encoder, const CanvasState& state, QSize size, double ratio,
                            const gpu::Texture& result, const std::optional<QRect>& changed) {
-    bool whole = !changed;
+    bool all = !changed;
     if (!screen_ || static_cast<int>(screen_.width()) != size.width() ||
         static_cast<int>(screen_.height()) != size.height()) {
         screen_ = device_.createTexture(
@@ -61,7 +62,7 @@ void CanvasPainter::record(const gpu::CommandEncoder& encoder, const CanvasState
              .size = {static_cast<std::uint32_t>(size.width()), static_cast<std::uint32_t>(size.height()), 1},
              .format = kScreenFormat,
              .usage = gpu::TextureUsage::RenderAttachment | gpu::TextureUsage::TextureBinding});
-        whole = true;
+        all = true;
     }
     updateLabels(state);
     updateMask(state);
@@ -95,7 +96,7 @@ void CanvasPainter::record(const gpu::CommandEncoder& encoder, const CanvasState
                                                  {.binding = CANVAS_LABELS, .textureView = labels_.createView()},
                                                  {.binding = CANVAS_MASK, .textureView = mask.createView()},
                                                  {.binding = CANVAS_RULER_IMAGE, .textureView = ruler.createView()}}});
-        whole = true;
+        all = true;
         boundMask_ = mask;
         boundRuler_ = ruler;
         boundPicture_ = picture;
@@ -106,7 +107,7 @@ void CanvasPainter::record(const gpu::CommandEncoder& encoder, const CanvasState
         return QRectF(state.view.toView(r.topLeft()), state.view.toView(r.topLeft() + QPoint(r.width(), r.height())));
     };
     drawn_ = {QPoint(0, 0), size};
-    if (!whole) {
+    if (!all) {
         constexpr double kReach = 3;  // of any filter below 200 % [view pixels]
         drawn_ &= toView(*changed).adjusted(-kReach, -kReach, kReach, kReach).toAlignedRect();
     }
@@ -114,18 +115,19 @@ void CanvasPainter::record(const gpu::CommandEncoder& encoder, const CanvasState
     const gpu::RenderPassEncoder pass =
         encoder.beginRenderPass({.label = "canvas",
                                  .colorAttachments = {{.view = screen_.createView(),
-                                                       .loadOp = whole ? gpu::LoadOp::Clear : gpu::LoadOp::Load,
+                                                       .loadOp = all ? gpu::LoadOp::Clear : gpu::LoadOp::Load,
                                                        .clearValue = {surround, surround, surround, 1.0}}}});
     if (shown) {
         const int filter = zoom >= 2 ? 0 : zoom >= 1 ? 1 : std::min(static_cast<int>(std::ceil(1 / zoom)), kMaxTaps);
-        drawPart(pass, state, toView(QRect(0, 0, state.photo->color.width(), state.photo->color.height())), filter,
-                 flags);
+        const QRect whole(0, 0, state.photo->color.width(), state.photo->color.height());
+        QRect outlined;
         if (state.outlineShown && !state.selectedBounds.isEmpty()) {
             constexpr double kReach = 3;
-            const QRectF around = toView(state.selectedBounds).adjusted(-kReach, -kReach, kReach, kReach);
-            flags |= CANVAS_OUTLINE;
-            drawPart(pass, state, around, filter, flags);
+            outlined = toView(state.selectedBounds).adjusted(-kReach, -kReach, kReach, kReach).toAlignedRect();
         }
+        for (const QRect& part : QRegion(toView(whole).toAlignedRect()).subtracted(outlined))
+            drawPart(pass, state, part, filter, flags);
+        if (!outlined.isEmpty()) drawPart(pass, state, outlined, filter, flags |= CANVAS_OUTLINE);
         drawPart(pass, state, rulerPlace(state), filter, flags | CANVAS_RULER);
     }
     pass.end();
@@ -227,9 +229,9 @@ const gpu::RenderPipeline& CanvasPainter::pipelineFor(int filter, unsigned flags
     return pipeline;
 }
 
-void CanvasPainter::drawPart(const gpu::RenderPassEncoder& pass, const CanvasState& state, const QRectF& part,
+void CanvasPainter::drawPart(const gpu::RenderPassEncoder& pass, const CanvasState& state, const QRect& part,
                              int filter, unsigned flags) {
-    const QRect visible = part.toAlignedRect() & drawn_;
+    const QRect visible = part & drawn_;
     if (visible.isEmpty()) return;
     const QPointF origin = state.view.origin();
     kernel::CanvasBlock values{};

@@ -35,7 +35,7 @@ class CanvasPainter {
     [[nodiscard]] QRect rulerPlace(const CanvasState& state) const;
     /// Draws the picture into a rectangle of the view, as far as it is to be drawn, made for exactly this filter and
     /// these CANVAS_* flags.
-    void drawPart(const gpu::RenderPassEncoder& pass, const CanvasState& state, const QRectF& part, int filter,
+    void drawPart(const gpu::RenderPassEncoder& pass, const CanvasState& state, const QRect& part, int filter,
                   unsigned flags);
     [[nodiscard]] const gpu::RenderPipeline& pipelineFor(int filter, unsigned flags);
     /// The texture of a CPU picture, uploaded when it is another one than last time.
