@@ -32,7 +32,8 @@ constexpr TranslucencyPreset kPresets[] = {
 
 double coefficient(float value) { return std::isfinite(value) && value > 0 ? static_cast<double>(value) : 0.0; }
 
-/// ∫ F(μ) μⁿ dμ over [0, 1], n = 1 or 2, for light that meets the boundary of a medium of relative index `eta` from inside.
+/// ∫ F(μ) μⁿ dμ over [0, 1], n = 1 or 2, for light that meets the boundary of a medium of relative index `eta` from
+/// inside.
 double internalFresnelMoment(double eta, int n) {
     constexpr int kSteps = 4000;
     double sum = 0;
