@@ -157,7 +157,8 @@ MarchHit march(vec3 p, vec3 d) {
             going = touches || next < ray.end;
             if (candidate || !going) break;
 
-            ivec2 over = clamp(ivec2(floor(ray.start.xy + ray.step.xy * next)), low, min(low + ((1 << level) - 1), lastPixel));
+            // Truncated is as good as floored: it stays in its cell.
+            ivec2 over = clamp(ivec2(ray.start.xy + ray.step.xy * next), low, min(low + ((1 << level) - 1), lastPixel));
             if (exits.x <= exits.y) over.x = edge.x + ahead.x - 1;
             if (exits.y <= exits.x) over.y = edge.y + ahead.y - 1;
             ivec2 moved = (pixel ^ over) >> level;
