@@ -273,6 +273,8 @@ DiffusionKernel fitDiffusionKernel(const DiffusionProfile& profile, const Diffus
     for (int c = 0; c < 3; ++c) {
         const double integral = profile.integral(c);
         if (!(integral > 0)) continue;
+        kernel.flatSurface[c] = static_cast<float>(integral);
+        kernel.tolerance[c] = static_cast<float>(profile.tolerance(c));
         double z = std::numeric_limits<double>::max();
         for (const DiffusionProfile::Term& t : profile.terms[static_cast<std::size_t>(c)]) z = std::min(z, t.z);
         const double farthest = std::max(grid.diameter, 2 * z);

@@ -29,8 +29,8 @@ namespace core {
 //   pixel = sum_f read at its point,  f = the finest level the profile needs
 //
 // The area that samples stand for goes the same way beside their light. What a pixel reads of it is what an irradiance
-// of 1 everywhere would give; where that is more than 1 the pixel is divided by it, so that no body reflects more than
-// it receives.
+// of 1 everywhere would give; light is taken relative to it (diffusion_exitance), so that neither the samples' uneven
+// spread shows nor any body reflects more than it receives.
 //
 // Work is proportional to samples + pixels and does not depend on how far light goes.
 
@@ -77,8 +77,10 @@ inline constexpr std::uint32_t kMaxDiffusionBricks = 60000;
 
 /// What each level adds to R_d.
 struct DiffusionKernel {
-    std::vector<Vector3f> narrow, wide;  ///< per level [1/m²]: weight of the light smoothed twice, four times
-    std::size_t finest = 0;              ///< first level that is needed; weights of finer ones are zero
+    std::vector<Vector3f> narrow, wide;       ///< per level [1/m²]: weight of the light smoothed twice, four times
+    Vector3f flatSurface = Vector3f::Zero();  ///< the profile's integral
+    Vector3f tolerance = Vector3f::Zero();    ///< of that, for the spread of samples (DiffusionProfile::tolerance)
+    std::size_t finest = 0;                   ///< first level that is needed; weights of finer ones are zero
 };
 
 /// Weights with which the grids' Gaussians are `profile`, by least squares over the light of rings around a point.

@@ -80,7 +80,26 @@ double DiffusionProfile::integral(int channel) const {
     return sum;
 }
 
+double DiffusionProfile::tolerance(int channel) const {
+    const double whole = integral(channel);
+    if (!(sampleArea > 0) || !(whole > 0)) return 0;
+    constexpr int kRings = 240;
+    constexpr double kDeviation = 1.5;
+    const double low = std::log(1e-2 * std::sqrt(sampleArea));
+    double depth = std::sqrt(sampleArea);
+    for (const Term& t : terms[static_cast<std::size_t>(channel)]) depth = std::max(depth, t.z);
+    const double step = (std::log(30 * depth) - low) / kRings;
+    double squared = 0;
+    for (int ring = 0; ring < kRings; ++ring) {
+        const double r = std::exp(low + step * (ring + 0.5));
+        const double value = evaluate(channel, r * r);
+        squared += value * value * 2 * std::numbers::pi * r * r * step;
+    }
+    return 3 * kDeviation * sampleArea * squared / whole;
+}
+
 DiffusionProfile blurred(DiffusionProfile profile, double area) {
+    profile.sampleArea = area;
     for (std::vector<DiffusionProfile::Term>& terms : profile.terms)
         for (DiffusionProfile::Term& t : terms) {
             if (t.sigma * t.sigma * area > 1) {

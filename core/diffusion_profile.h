@@ -23,11 +23,16 @@ struct DiffusionProfile {
     };
     std::array<std::vector<Term>, 3> terms;  ///< per colour channel
     float eta = 1;                           ///< relative index of refraction of the boundary
+    double sampleArea = 0;                   ///< of the samples it is blurred for [m²]; 0 = not blurred
 
     /// R_d [1/m²] at squared distance `r2` [m²].
     [[nodiscard]] double evaluate(int channel, double r2) const;
     /// Integral of R_d over the plane, in closed form.
     [[nodiscard]] double integral(int channel) const;
+    /// Three standard deviations of what samples that each stand for `sampleArea` make of the integral, because they
+    /// lie denser here and sparser there. The deviation is 1.5 A ∫R_d² / ∫R_d (measured on photographs with marble and
+    /// cream at 10k to 131k samples: 1.4 to 1.7); it vanishes as samples grow denser.
+    [[nodiscard]] double tolerance(int channel) const;
 };
 
 /// σtr [1/length] of a medium with reduced scattering σs' and absorption σa: sqrt(σa/D), where D = 1/(3σt') for the

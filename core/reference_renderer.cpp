@@ -13,6 +13,7 @@
 #include "core/luminance.h"
 #include "core/parallel.h"
 #include "core/silhouette.h"
+#include "shaders/shared/diffusion.h"
 #include "shaders/shared/rng.h"
 #include "shaders/shared/shading_point.h"
 
@@ -308,6 +309,12 @@ ImageRgb ReferenceRenderer::translucentRadiosity(const SurfaceSamples& samples, 
     ImageRgb result(layers_->camera.width, layers_->camera.height, Vector3f::Zero());
     if (samples.samples.empty()) return result;
     const std::vector<float> areas = sampleAreas(samples, samples.samples.size());
+    Vector3f flatSurface;
+    Vector3f tolerance;
+    for (int c = 0; c < 3; ++c) {
+        flatSurface[c] = static_cast<float>(profile.integral(c));
+        tolerance[c] = static_cast<float>(profile.tolerance(c));
+    }
     parallelFor(context, "Scattering light", result.height(), [&](int y) {
         for (int x = 0; x < result.width(); ++x) {
             if (layers_->labels(x, y) != label || !(front.depth(x, y) > 0)) continue;
@@ -322,7 +329,9 @@ ImageRgb ReferenceRenderer::translucentRadiosity(const SurfaceSamples& samples, 
                     whole[c] += weight;
                 }
             }
-            result(x, y) = (sum.cwiseQuotient(whole.cwiseMax(1.0)) / M_PI).cast<float>();
+            for (int c = 0; c < 3; ++c)
+                result(x, y)[c] = kernel::diffusion_exitance(
+                    static_cast<float>(sum[c] / M_PI), static_cast<float>(whole[c]), flatSurface[c], tolerance[c]);
         }
     });
     return result;

@@ -43,5 +43,8 @@ void main() {
                 whole += (weight * weights[x].x) * sums[from + 1u].rgb;
             }
         }
-    imageStore(diffusionMap, pixel, vec4(max(sum, vec3(0.0)) / max(whole, vec3(1.0)), 1.0));
+    vec3 exitance;
+    for (int c = 0; c < 3; ++c)
+        exitance[c] = diffusion_exitance(sum[c], whole[c], block.flatSurface[c], block.tolerance[c]);
+    imageStore(diffusionMap, pixel, vec4(exitance, 1.0));
 }

@@ -1569,6 +1569,14 @@
         <translation>Reduzierter Streukoeffizient [1/mm]</translation>
     </message>
     <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>1/mm</source>
+        <translation>1/mm</translation>
+    </message>
+    <message>
         <source>Index</source>
         <translation>Index</translation>
     </message>

@@ -18,6 +18,7 @@
 #include "core/render/renderer.h"
 #include "core/render/scene_geometry.h"
 #include "gpu/readback.h"
+#include "shaders/shared/diffusion.h"
 
 namespace render {
 namespace {
@@ -178,6 +179,12 @@ Bench::Error Bench::compare(double* seconds) const {
     const std::vector<float> result = gpu::readTexture<float>(device, targets.diffusion);
     const std::vector<kernel::vec4> sums = gpu::readBuffer<kernel::vec4>(device, points.sums, 0, points.count);
     const core::DiffusionProfile exact = profile();
+    core::Vector3f flatSurface;
+    core::Vector3f tolerance;
+    for (int c = 0; c < 3; ++c) {
+        flatSurface[c] = static_cast<float>(exact.integral(c));
+        tolerance[c] = static_cast<float>(exact.tolerance(c));
+    }
     const std::size_t count = std::min(kTestPairs / samples.samples.size() + 1, pixels.size());
     double squares = 0;
     double total = 0;
@@ -200,7 +207,10 @@ Bench::Error Bench::compare(double* seconds) const {
                 whole[c] += weight;
             }
         }
-        truth = truth.cwiseQuotient(whole.cwiseMax(1.0)) * (M_PI / kRays);
+        for (int c = 0; c < 3; ++c)
+            truth[c] = static_cast<double>(kernel::diffusion_exitance(static_cast<float>(truth[c] * (M_PI / kRays)),
+                                                                      static_cast<float>(whole[c]), flatSurface[c],
+                                                                      tolerance[c]));
         const float* texel = &result[4 * analysis.front->depth.index(x, y)];
         const std::lock_guard lock(mutex);
         for (int c = 0; c < 3; ++c) {

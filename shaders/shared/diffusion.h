@@ -23,6 +23,21 @@ KERNEL_FN float diffusion_spline(float t) {
     return 0.5f * a * a - 1.5f * b * b;
 }
 
+/// What an irradiance of 1 everywhere gives, from what samples make of it: they lie denser here and sparser there,
+/// which would show as blotches. Within `tolerance` (a few standard deviations of that) of what a flat surface gives it
+/// is that; what departs more from it, as thin parts and edges do, is kept (a non-negative garrote [Bre95]).
+KERNEL_FN float diffusion_whole(float whole, float flatSurface, float tolerance) {
+    float d = whole - flatSurface;
+    return d * d > tolerance * tolerance ? flatSurface + d * (1.0f - tolerance * tolerance / (d * d)) : flatSurface;
+}
+
+/// Light that leaves: what samples sum to, relative to what they would at an irradiance of 1 (`whole`), so that their
+/// uneven spread cancels, and never more than was received.
+KERNEL_FN float diffusion_exitance(float sum, float whole, float flatSurface, float tolerance) {
+    float known = max(whole, max(0.01f * flatSurface, 1e-20f));
+    return max(sum, 0.0f) / known * min(max(diffusion_whole(whole, flatSurface, tolerance), 0.0f), 1.0f);
+}
+
 /// A point of the camera's frame in the grids' axes, which are turned so that no plane of a room lies along them: on
 /// such a plane the place relative to cells, which the sum depends on a little, would be the same everywhere.
 KERNEL_FN vec3 diffusion_axes(vec3 p) {

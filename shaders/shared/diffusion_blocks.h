@@ -56,13 +56,15 @@ struct DiffusionCombineBlock {
 KERNEL_BLOCK(DiffusionCombineBlock, 48)
 
 struct DiffusionGatherBlock {
-    vec4 corner;  // xyz = corner of the grids in their axes [m]; w = cell of the level to read [m]
+    vec4 corner;       // xyz = corner of the grids in their axes [m]; w = cell of the level to read [m]
+    vec4 flatSurface;  // rgb = what a flat surface makes of an irradiance of 1
+    vec4 tolerance;    // rgb = of that, for the spread of samples
     uint firstPixel;
     uint pixelCount;
     uint level;  // 0 = the finest
     uint known;  // 0: only clears
 };
-KERNEL_BLOCK(DiffusionGatherBlock, 32)
+KERNEL_BLOCK(DiffusionGatherBlock, 64)
 
 KERNEL_END
 

@@ -159,7 +159,8 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
                   MEMBER(DiffusionCombineBlock, coarser), MEMBER(DiffusionCombineBlock, pad0)},
                  sizeof(kernel::DiffusionCombineBlock));
     expectLayout(diffusion_gather_spv, "DiffusionGatherBlock",
-                 {MEMBER(DiffusionGatherBlock, corner), MEMBER(DiffusionGatherBlock, firstPixel),
+                 {MEMBER(DiffusionGatherBlock, corner), MEMBER(DiffusionGatherBlock, flatSurface),
+                  MEMBER(DiffusionGatherBlock, tolerance), MEMBER(DiffusionGatherBlock, firstPixel),
                   MEMBER(DiffusionGatherBlock, pixelCount), MEMBER(DiffusionGatherBlock, level),
                   MEMBER(DiffusionGatherBlock, known)},
                  sizeof(kernel::DiffusionGatherBlock));

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "shaders/shared/rng.h"
@@ -363,6 +364,51 @@ TEST(ReferenceTranslucency, NeverReflectsMoreThanItReceives) {
             samples.samples[i].position.x() > 0 ? 1.0f : kernel::rng_float(static_cast<kernel::uint>(i), 0, 0, 1);
     const Vector3f uneven = brightest(light);
     for (int c = 0; c < 3; ++c) EXPECT_LE(uneven[c], 1 + 1e-5f);
+}
+
+TEST(ReferenceTranslucency, SpreadOfSamplesDoesNotShow) {
+    // Light gets less far than samples lie apart.
+    AnalyticScene s(squareCamera(64, 64), test::slab(1, 2));
+    Translucency t = toTranslucency(*findTranslucencyPreset("marble"));
+    t.eta = 1;
+    s.edit(1, "none").translucency = t;
+    const ReferenceRenderer renderer(s.scene, s.analysis);
+    const SurfaceSamples samples = sampleSurface(*s.analysis, s.scene.photo->labels, 1, 2000, 3);
+    DiffusionProfile profile = blurred(profileFromTranslucency(t), samples.areaPerSample());
+    std::vector<Vector3f> light(samples.samples.size(), Vector3f::Constant(static_cast<float>(M_PI)));
+    const Vector3f reflectance = diffuseReflectance(t);
+    const auto deviation = [&](const DiffusionProfile& p) {
+        const ImageRgb b = renderer.translucentRadiosity(samples, light, 1, p);
+        double squares = 0;
+        for (int y = 16; y < 48; ++y)
+            for (int x = 16; x < 48; ++x)
+                squares += std::pow(static_cast<double>(b(x, y).y() / reflectance.y()) - 1, 2) / (32 * 32);
+        return std::sqrt(squares);
+    };
+    EXPECT_LT(deviation(profile), 0.01);
+    const double sampleArea = std::exchange(profile.sampleArea, 0);
+    EXPECT_GT(deviation(profile), 0.03) << "what would show";
+    profile.sampleArea = sampleArea;
+
+    // A patch of light in the middle: in all, as much leaves as the reflectance says.
+    const std::vector<float> areas = sampleAreas(samples, samples.samples.size());
+    double arriving = 0;
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        const SurfaceSample& p = samples.samples[i];
+        const bool lit = !p.back && p.position.head<2>().cwiseAbs().maxCoeff() < 0.25f;
+        if (lit)
+            arriving += static_cast<double>(areas[i]);
+        else
+            light[i].setZero();
+    }
+    const ImageRgb b = renderer.translucentRadiosity(samples, light, 1, profile);
+    for (int c = 0; c < 3; ++c) {
+        double leaving = 0;
+        for (std::size_t i = 0; i < b.size(); ++i)
+            leaving += static_cast<double>(b[i][c]) * static_cast<double>(s.analysis->front->area[i]);
+        EXPECT_LE(leaving, arriving) << c;
+        EXPECT_NEAR(leaving / arriving, reflectance[c], 0.03) << c;
+    }
 }
 
 TEST(ReferenceTranslucency, FresnelBoundaryDimsLightOnBothWays) {

@@ -276,6 +276,8 @@ TEST_F(Panels, TranslucencyPresetFillsTheCoefficients) {
         EXPECT_EQ(segment(2).edit->translucency->sigmaA.x(), preset.sigmaA[0]);
         EXPECT_EQ(segment(2).edit->translucency->sigmaSPrime.z(), preset.sigmaSPrime[2]);
     }
+    EXPECT_EQ(test::child<QLabel>(panel, "translucencyFreePathUnit")->text(), "mm");
+    EXPECT_EQ(test::child<QLabel>(panel, "translucencySigmaAUnit")->text(), "1/mm");
     test::child<QDoubleSpinBox>(panel, "translucencySigmaAG")->setValue(0.5);
     EXPECT_EQ(segment(2).edit->translucency->sigmaA.y(), 0.5f);
     EXPECT_TRUE(segment(2).edit->translucency->preset.empty());

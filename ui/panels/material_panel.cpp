@@ -272,6 +272,8 @@ void MaterialPanel::makeTranslucencyGroup() {
                              tr("Absorption coefficient [1/mm]"), 0, 100, 4, translucency_);
     sigmaSPrime_ = new VectorEdit(QStringLiteral("translucencySigmaSPrime"), tr("Scattering"),
                                   tr("Reduced scattering coefficient [1/mm]"), 0.0001, 1000, 3, translucency_);
+    freePath_->setUnit(tr("mm"));
+    for (VectorEdit* coefficient : {sigmaA_, sigmaSPrime_}) coefficient->setUnit(tr("1/mm"));
     const auto slider = [this](const ParamSpec& spec, std::function<void(core::Translucency&, float)> set) {
         return addMaterialSlider(spec, [set = std::move(set)](core::Material& material, float value) {
             if (material.translucency) set(*material.translucency, value);

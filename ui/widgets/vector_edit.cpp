@@ -52,4 +52,11 @@ void VectorEdit::setValue(const core::Vector3f& value) {
     }
 }
 
+void VectorEdit::setUnit(const QString& unit) {
+    auto* label = new QLabel(unit, this);
+    label->setObjectName(objectName() + QStringLiteral("Unit"));
+    layout()->addWidget(label);
+    for (QDoubleSpinBox* box : boxes_) box->setAccessibleDescription(unit);
+}
+
 }  // namespace ui

@@ -21,6 +21,8 @@ class VectorEdit : public QWidget {
 
     [[nodiscard]] core::Vector3f value() const;
     void setValue(const core::Vector3f& value);
+    /// Shows the unit of the numbers behind them.
+    void setUnit(const QString& unit);
 
   signals:
     void valueChanged(const core::Vector3f& value);
