@@ -29,9 +29,9 @@ void main() {
             vec4 frontPatch = texelFetch(frontPatchMap, ivec2(child), 0);
             part = packRange(pixelRange(frontPatch, texelFetch(backPatchMap, ivec2(child), 0)), block.leastW, block.scale);
         } else {
-            part = ranges[pyramidIndex(child.x, child.y, step_ - 1u, block.rows, block.finestWidth)];
+            part = ranges[pyramidIndex(child.x, child.y, step_ - 1u, block.rows, block.blocks)];
         }
         range = joinRanges(range, part);
     }
-    ranges[pyramidIndex(cell.x, cell.y, block.step, block.rows, block.finestWidth)] = range;
+    ranges[pyramidIndex(cell.x, cell.y, block.step, block.rows, block.blocks)] = range;
 }

@@ -29,7 +29,7 @@ std::vector<float> texelsOf(const core::Image<core::Vector3f>& image) {
 }  // namespace
 
 std::uint64_t PyramidShape::cells() const {
-    return (std::uint64_t{finestWidth} + 3) / 4 * 4 * ((std::uint64_t{rows} + 3) / 4 * 4);
+    return std::uint64_t{blocks} * 4 * ((2 * std::uint64_t{rows} + 3) / 4 * 4);
 }
 
 PyramidShape pyramidShape(std::uint32_t width, std::uint32_t height, std::uint64_t maxCells) {
@@ -38,9 +38,8 @@ PyramidShape pyramidShape(std::uint32_t width, std::uint32_t height, std::uint64
     const auto levels = std::min(static_cast<std::uint32_t>(std::bit_width(std::max(width, height) - 1)), kLevels);
     for (shape.finest = 0;; ++shape.finest) {
         shape.top = std::max(levels, shape.finest);
-        shape.finestWidth = cellsAlong(width, shape.finest);
-        // So that halving the rows level by level leaves no remainder.
-        shape.rows = 2 * (cellsAlong(height, shape.top) << (shape.top - shape.finest));
+        shape.blocks = (cellsAlong(width, shape.finest) + 3) / 4;
+        shape.rows = cellsAlong(height, shape.top) << (shape.top - shape.finest);
         if (shape.cells() <= maxCells || shape.cells() <= kSmallestPyramid) return shape;
     }
 }
@@ -188,6 +187,7 @@ const gpu::BindGroup& SceneGeometry::bindGroup() {
     block.pyramidTop = shape_.top;
     block.pyramidFinest = shape_.finest;
     block.pyramidRows = shape_.rows;
+    block.pyramidBlocks = shape_.blocks;
     block.leastW = leastW_;
     block.greatestW = greatestW_;
     device_.queue().writeBuffer(block_, 0, &block, sizeof(block));
@@ -225,7 +225,7 @@ void SceneGeometry::recordPyramid(const gpu::CommandEncoder& encoder) {
     pass.setBindGroup(0, group);
     kernel::BuildPyramidBlock block;
     block.finest = shape_.finest;
-    block.finestWidth = shape_.finestWidth;
+    block.blocks = shape_.blocks;
     block.rows = shape_.rows;
     block.leastW = leastW_;
     block.scale = kernel::rangeScale(leastW_, greatestW_);

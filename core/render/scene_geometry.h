@@ -20,10 +20,10 @@ namespace render {
 
 /// Levels of the min/max pyramid and how they lie in its buffer (kernel::pyramidIndex).
 struct PyramidShape {
-    std::uint32_t finest = 0;       ///< first level that is stored: cells of 2^finest pixels
-    std::uint32_t top = 0;          ///< last level
-    std::uint32_t finestWidth = 0;  ///< cells
-    std::uint32_t rows = 0;         ///< of all levels, one above the other
+    std::uint32_t finest = 0;  ///< first level that is stored: cells of 2^finest pixels
+    std::uint32_t top = 0;     ///< last level
+    std::uint32_t blocks = 0;  ///< of 4x4 cells along a row of the finest level
+    std::uint32_t rows = 0;    ///< cells of the finest level, rounded up; each level has half as many
     [[nodiscard]] std::uint64_t cells() const;
 };
 /// For an image of this size; leaves out the finest levels that would need more than `maxCells`.

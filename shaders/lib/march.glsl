@@ -122,7 +122,7 @@ MarchHit march(vec3 p, vec3 d) {
     int top = int(geometry.pyramidTop);
     int finest = int(geometry.pyramidFinest);
     uint rows = geometry.pyramidRows;
-    uint finestWidth = (geometry.width + (1u << geometry.pyramidFinest) - 1u) >> geometry.pyramidFinest;
+    uint blocks = geometry.pyramidBlocks;
     float scale = rangeScale(geometry.leastW, geometry.greatestW);
     float start = (ray.start.z - geometry.leastW) * scale + kRangeStart;  // in the pyramid's unit
     float slope = ray.step.z * scale;
@@ -131,25 +131,23 @@ MarchHit march(vec3 p, vec3 d) {
     ivec2 ahead = ivec2(ray.step.x > 0.0 ? 1 : 0, ray.step.y > 0.0 ? 1 : 0);
     int level = 0;
     float s = ray.begin;
-    float before = start + slope * s;
     bool inside = ray.begin <= 0.0;  // escaping from the solid of the origin; the first pixel decides whether there is one
 
     // No ray needs more steps; one with broken numbers stops here.
     int budget = int(sliceValue(8u * (geometry.width + geometry.height) + 64u));
     while (going && budget > 0) {
         bool candidate = false;
-        ivec2 edge;
-        vec2 exits;
-        float next;
         while (budget > 0) {
             --budget;
             ivec2 low = pixel & -(1 << level);
-            edge = low + (ahead << level);
-            exits = (vec2(edge) - ray.start.xy) * ray.inverse;
-            next = nextStop(s, exits, ray.end);
+            ivec2 edge = low + (ahead << level);
+            vec2 exits = (vec2(edge) - ray.start.xy) * ray.inverse;
+            float next = nextStop(s, exits, ray.end);
+            float before = start + slope * s;
             float after = start + slope * next;
-            uvec2 cell = uvec2(pixel >> max(level, finest));
-            uint range = pyramid[pyramidIndex(cell.x, cell.y, uint(max(level - finest, 0)), rows, finestWidth)];
+            int stored = max(level, finest);
+            uvec2 cell = uvec2(pixel >> stored);
+            uint range = pyramid[pyramidIndex(cell.x, cell.y, uint(stored - finest), rows, blocks)];
             float least = float(range & 0xffffu);
             float greatest = float(range >> 16u);
             bool touches = (before >= least || after >= least) && (before <= greatest || after <= greatest);
@@ -167,9 +165,11 @@ MarchHit march(vec3 p, vec3 d) {
             level += touches ? -1 : up;
             pixel = touches ? pixel : over;
             s = touches ? s : next;
-            before = touches ? before : after;
         }
         if (candidate) {
+            ivec2 edge = pixel + ahead;
+            vec2 exits = (vec2(edge) - ray.start.xy) * ray.inverse;
+            float next = nextStop(s, exits, ray.end);
             float enter, leave;
             bool back;
             if (crossPixel(ray, pixel, s, next, enter, leave, back)) {
@@ -183,7 +183,6 @@ MarchHit march(vec3 p, vec3 d) {
             }
             if (next >= ray.end) going = false;
             s = next;
-            before = start + slope * s;
             ivec2 over = pixel;
             if (exits.x <= exits.y) over.x = edge.x + ahead.x - 1;
             if (exits.y <= exits.x) over.y = edge.y + ahead.y - 1;

@@ -18,7 +18,7 @@ struct BuildPyramidBlock {
     uint sourceWidth;   // of the level below [cells]; of the picture for step 0
     uint sourceHeight;  // of the level below
     uint finest;        // GeometryBlock::pyramidFinest
-    uint finestWidth;   // of the finest level [cells]
+    uint blocks;        // GeometryBlock::pyramidBlocks
     uint rows;          // GeometryBlock::pyramidRows
     float leastW;       // GeometryBlock::leastW [1/m]
     float scale;        // rangeScale

@@ -32,11 +32,11 @@ struct GeometryBlock {
     float meanLuminance;      // of the environment
     uint environmentSampled;  // 1: paths sample the environment too
     uint pyramidFinest;       // finest level that is stored; 0: the pixels, as long as the device's buffers hold them
-    uint pyramidRows;         // rows of cells of all levels together
+    uint pyramidRows;         // rows of cells of the finest level, rounded up so that each level has half as many
+    uint pyramidBlocks;       // blocks of 4x4 cells along a row
     float leastW;             // all solids lie between them [1/m]; leastW > greatestW: there is none
     float greatestW;
     uint pad0;
-    uint pad1;
 };
 KERNEL_BLOCK(GeometryBlock, 80)
 
@@ -74,11 +74,11 @@ KERNEL_FN uint packRange(vec2 range, float leastW, float scale) {
 // What holds two cells.
 KERNEL_FN uint joinRanges(uint a, uint b) { return min(a & 0xffffu, b & 0xffffu) | (max(a >> 16u, b >> 16u) << 16u); }
 
-// Where cell (x, y) of a level is stored, `step` levels above the finest one. All levels stand one above the other in a
-// map of `rows` rows, and the map lies in blocks of 4x4 cells: one line of a processor's cache.
-KERNEL_FN uint pyramidIndex(uint x, uint y, uint step, uint rows, uint width) {
-    y += rows - (rows >> step);
-    uint blocks = (width + 3u) >> 2u;
+// Where cell (x, y) of a level is stored, `step` levels above the finest one, which has `rows` rows (GeometryBlock).
+// All levels stand in one map, coarser ones above finer ones, and the map lies in `blocks` blocks of 4x4 cells along a
+// row: one line of a processor's cache each.
+KERNEL_FN uint pyramidIndex(uint x, uint y, uint step, uint rows, uint blocks) {
+    y += rows >> step;
     return (((y >> 2u) * blocks + (x >> 2u)) << 4u) + ((y & 3u) << 2u) + (x & 3u);
 }
 

@@ -75,9 +75,9 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
     expectLayout(build_pyramid_spv, "BuildPyramidBlock",
                  {MEMBER(BuildPyramidBlock, step), MEMBER(BuildPyramidBlock, width), MEMBER(BuildPyramidBlock, height),
                   MEMBER(BuildPyramidBlock, sourceWidth), MEMBER(BuildPyramidBlock, sourceHeight),
-                  MEMBER(BuildPyramidBlock, finest), MEMBER(BuildPyramidBlock, finestWidth),
-                  MEMBER(BuildPyramidBlock, rows), MEMBER(BuildPyramidBlock, leastW), MEMBER(BuildPyramidBlock, scale),
-                  MEMBER(BuildPyramidBlock, pad0), MEMBER(BuildPyramidBlock, pad1)},
+                  MEMBER(BuildPyramidBlock, finest), MEMBER(BuildPyramidBlock, blocks), MEMBER(BuildPyramidBlock, rows),
+                  MEMBER(BuildPyramidBlock, leastW), MEMBER(BuildPyramidBlock, scale), MEMBER(BuildPyramidBlock, pad0),
+                  MEMBER(BuildPyramidBlock, pad1)},
                  sizeof(kernel::BuildPyramidBlock));
     expectLayout(
         depth_filter_spv, "DepthFilterBlock",
@@ -113,8 +113,8 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
          MEMBER(GeometryBlock, environmentHeight), MEMBER(GeometryBlock, tableColumns),
          MEMBER(GeometryBlock, tableRows), MEMBER(GeometryBlock, tableCell), MEMBER(GeometryBlock, meanLuminance),
          MEMBER(GeometryBlock, environmentSampled), MEMBER(GeometryBlock, pyramidFinest),
-         MEMBER(GeometryBlock, pyramidRows), MEMBER(GeometryBlock, leastW), MEMBER(GeometryBlock, greatestW),
-         MEMBER(GeometryBlock, pad0), MEMBER(GeometryBlock, pad1)},
+         MEMBER(GeometryBlock, pyramidRows), MEMBER(GeometryBlock, pyramidBlocks), MEMBER(GeometryBlock, leastW),
+         MEMBER(GeometryBlock, greatestW), MEMBER(GeometryBlock, pad0)},
         sizeof(kernel::GeometryBlock));
     expectLayout(reshade_spv, "ReshadeBlock",
                  {MEMBER(ReshadeBlock, firstPixel), MEMBER(ReshadeBlock, pixelCount), MEMBER(ReshadeBlock, firstSample),

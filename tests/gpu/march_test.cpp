@@ -100,9 +100,8 @@ TEST(Pyramid, HoldsTheRangesOfItsCellsOnAnySize) {
                                 kernel::pixelRange(texel(scene.layers.front(x, y)), texel(scene.layers.back(x, y)));
                             expected = {std::min(expected.x, range.x), std::max(expected.y, range.y)};
                         }
-                    const kernel::uint cell =
-                        cells[kernel::pyramidIndex(static_cast<kernel::uint>(cx), static_cast<kernel::uint>(cy), level,
-                                                   shape.rows, shape.finestWidth)];
+                    const kernel::uint cell = cells[kernel::pyramidIndex(
+                        static_cast<kernel::uint>(cx), static_cast<kernel::uint>(cy), level, shape.rows, shape.blocks)];
                     const std::string where = std::to_string(width) + "x" + std::to_string(height) + " level " +
                                               std::to_string(level) + " cell " + std::to_string(cx) + ", " +
                                               std::to_string(cy);
@@ -126,11 +125,11 @@ TEST(Pyramid, DropsItsFinestLevelsWhenTheDeviceHoldsNoMore) {
         const render::PyramidShape shape = render::pyramidShape(4096, 3000, maxCells);
         EXPECT_LE(shape.cells(), maxCells);
         EXPECT_GE(shape.top, shape.finest);
-        EXPECT_EQ(shape.finestWidth, 4096u >> shape.finest);
+        EXPECT_EQ(shape.blocks, 1024u >> shape.finest);
         EXPECT_GT(render::pyramidShape(4096, 3000, shape.cells() - 1).finest, shape.finest);
         const kernel::uint step = shape.top - shape.finest;
         EXPECT_EQ(shape.rows >> step << step, shape.rows);
-        EXPECT_LT(kernel::pyramidIndex((4095u >> shape.top), (2999u >> shape.top), step, shape.rows, shape.finestWidth),
+        EXPECT_LT(kernel::pyramidIndex((4095u >> shape.top), (2999u >> shape.top), step, shape.rows, shape.blocks),
                   shape.cells());
     }
 }
