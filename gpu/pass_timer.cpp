@@ -64,7 +64,6 @@ void PassTimer::Region::end() {
     if (!data_) return;
     const std::unique_ptr<Data> data = std::move(data_);
     data->encoder.writeTimestamp(data->state->queries, 2 * data->index + 1);
-    data->encoder.impl()->executionBarrier();
     // The timer may be gone before the device is done; and a strong reference would keep the device alive through
     // its own list of callbacks.
     const std::weak_ptr<State> state = data->state;
