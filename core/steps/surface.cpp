@@ -8,6 +8,7 @@
 
 #include "core/analysis_kernels.h"
 #include "core/parallel.h"
+#include "core/steps/settle_normals.h"
 
 namespace core::steps {
 namespace {
@@ -209,7 +210,9 @@ Step surfaceStep() {
         surface->depth = board.depth->depth;
         surface->color = photo.color;
         context.kernels().computeSurface({photo.camera, photo.labels, Side::Front, board.depth->relativeNoise},
-                                         *surface, {context, kSurfaceStep});
+                                         *surface, {context, kSurfaceStep, 0.0f, 0.7f});
+        if (board.depth->relativeNoise > 0)
+            settleNormals(*surface, photo.labels, photo.camera, photo.depthStep, {context, kSurfaceStep, 0.7f, 1.0f});
         board.front = std::move(surface);
     };
     return step;
