@@ -458,6 +458,43 @@ TEST(Renderer, ShowsAPictureWithTheFirstSlice) {
     EXPECT_GT(renderer.progress().fraction, 0.0f);
 }
 
+TEST(Renderer, EveryPixelFollowsAChangeThatRestartsEverySlice) {
+    const AnalyticScene source = stillLife();
+    core::Material paint = testing_support::material("lambert");
+    paint.albedo = Vector3f(0.9f, 0.05f, 0.05f);
+    core::Scene scene = edited(source, 2, paint, 1);
+    scene.render.bounces = 1;
+    scene.render.filter = false;
+    const auto analysis = source.analysis();
+    render::Renderer renderer(device());
+    renderer.setScene(scene, analysis);
+    finish(renderer, 0.1);
+    const auto red = pixels(renderer);
+    std::vector<std::size_t> own;
+    for (std::size_t i = 0; i < source.photo->labels.size(); ++i)
+        if (source.photo->labels[i] == 2 && red[4 * i] > 0) own.push_back(i);
+    const auto changed = [&] {
+        const auto now = pixels(renderer);
+        return std::ranges::count_if(own, [&](std::size_t i) { return now[4 * i + 1] > now[4 * i]; });
+    };
+
+    constexpr int kLeastSlice = 64;  // pixels
+    const auto slices = static_cast<int>(own.size()) / kLeastSlice + 2;
+    ASSERT_GT(slices, 8);
+    for (int i = 0; i < slices; ++i) {
+        scene.findSegment(2)->edit->albedo = Vector3f(0.05f, 0.9f - 0.001f * static_cast<float>(i), 0.05f);
+        renderer.setScene(scene, analysis);
+        gpu::CommandEncoder encoder = device().createCommandEncoder({.label = "slice"});
+        ASSERT_TRUE(renderer.record(encoder, 1e-9));
+        device().queue().submit(encoder.finish());
+        device().waitIdle();
+        if (i > 0) continue;
+        EXPECT_GT(changed(), 0);
+        EXPECT_LE(changed(), 2 * kLeastSlice) << "a slice changes what it advanced, the rest stays as it was";
+    }
+    EXPECT_EQ(changed(), static_cast<std::ptrdiff_t>(own.size()));
+}
+
 TEST(Renderer, FollowsANewPhotographOfAnotherSize) {
     const AnalyticScene first = stillLife();
     const AnalyticScene second = testing_support::makeAnalyticScene(70, 110, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0,
