@@ -296,6 +296,35 @@ TEST_F(CanvasWindowTest, RulerShowsTheSizeOfATranslucentSegment) {
     EXPECT_LT(barLength(), 20) << "another segment";
 }
 
+TEST_F(CanvasWindowTest, WhatIsDrawnInPartsIsWhatIsDrawnAtOnce) {
+    open();
+    setSamples(1);
+    window_.workspace().select(label("vase"));
+    chooseBrdf("ggx");
+    settle();
+    ui::Canvas& canvas = window_.canvas();
+    const auto screen = [&] {
+        QTest::qWait(200);
+        const QPoint corner = canvas.mapToGlobal(QPoint(0, 0));
+        return window_.screen()->grabWindow(0, corner.x(), corner.y(), canvas.width(), canvas.height()).toImage();
+    };
+    auto* alpha = test::child<QSlider>(window_, "alphaSlider");
+    int position = 200;
+    for (const double zoom : {0.6, 1.5, 2.0}) {
+        canvas.setZoom(zoom);
+        const QImage before = screen();
+        for (int i = 0; i < 4; ++i) {  // frames in which only the vase is drawn
+            alpha->setValue(position += 50);
+            QTest::qWait(30);
+        }
+        settle();
+        const QImage parts = screen();
+        EXPECT_NE(parts, before);
+        canvas.setExposure(0);  // as it is, but all is drawn again
+        EXPECT_EQ(screen(), parts) << zoom;
+    }
+}
+
 // Only the order of things can be tested: no driver can be asked to lose its device.
 TEST_F(CanvasWindowTest, StartsAgainAfterTheDeviceWasLost) {
     open();
