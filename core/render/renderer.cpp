@@ -43,6 +43,10 @@ constexpr std::uint32_t kMaxPathsPerDispatch = 16;  // per pixel: bounds what on
 constexpr std::uint64_t kMinIrradiancePaths = 4096;
 constexpr std::uint64_t kMinAccesses = 200000;  // likewise
 
+// Of a budget, whatever the composite takes of it. Without, sums of large segments, whose composite is dearer than a
+// budget, would advance by the least slice each time.
+constexpr double kLeastShare = 0.1;
+
 // For how long a call that could only wait for other threads does so [s]: too short to be felt in a window.
 constexpr double kBackgroundWait = 2e-3;
 
@@ -754,7 +758,7 @@ bool Renderer::Impl::record(gpu::CommandEncoder& encoder, double budgetSeconds) 
     do {
         const auto [state, task] = nextTask();
         if (task == Task::None) break;
-        const double share = std::max(left, 0.0);
+        const double share = std::max(left, kLeastShare * budgetSeconds);
         switch (task) {
             case Task::Reshade:
                 left -= recordReshade(encoder, *state, share);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstring>
 
@@ -532,6 +533,31 @@ TEST(Renderer, SaysWhenThePictureIsTooLarge) {
         EXPECT_EQ(error.kind(), gpu::ErrorKind::OutOfMemory);
         EXPECT_NE(std::string(error.what()).find(std::to_string(side) + "x10"), std::string::npos) << error.what();
     }
+}
+
+TEST(Renderer, AdvancesWhereTheCompositeIsDearerThanTheBudget) {
+    constexpr int kSlices = 10;
+    constexpr double kBudget = 0.004;
+    const AnalyticScene source = testing_support::makeAnalyticScene(640, 640, {{Vector3f(0, 0, 1), 0.4f, 2}}, 0,
+                                                                    [](const Vector3f&) { return Vector3f(1, 1, 1); });
+    const auto count = std::count(source.photo->labels.pixels().begin(), source.photo->labels.pixels().end(), 2);
+    core::Scene scene = edited(source, 2, ggx(0.2f), 2);
+    scene.render.bounces = 1;  // with more, weights are part of what paths meet
+    const auto analysis = source.analysis();
+    render::Renderer renderer(device());
+    renderer.setScene(scene, analysis);
+    finish(renderer, 0.1);
+    scene.render.samples = 4;
+    for (int i = 0; i < kSlices; ++i) {
+        scene.findSegment(2)->edit->blendNew = i % 2 == 0 ? 0.5f : 1.0f;  // what is on show is old
+        renderer.setScene(scene, analysis);
+        gpu::CommandEncoder encoder = device().createCommandEncoder({.label = "slice"});
+        ASSERT_TRUE(renderer.record(encoder, kBudget));
+        device().queue().submit(encoder.finish());
+        device().waitIdle();
+    }
+    const double paths = (4 * static_cast<double>(renderer.progress().fraction) - 2) * static_cast<double>(count);
+    EXPECT_GT(paths, 2 * 64 * kSlices) << "no more than the least that is ever dispatched";
 }
 
 TEST(Renderer, CanBeCancelled) {
