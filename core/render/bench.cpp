@@ -103,8 +103,7 @@ void Benchmarks::march() {
     constexpr int kRepetitions = 3;
     const core::DepthLayers sceneLayers = layers();
     SceneGeometry geometry(device);
-    geometry.setLayers(sceneLayers, scene.photo->color, *analysis->front, *analysis->back,
-                       [](std::uint16_t label) { return static_cast<float>(label); });
+    geometry.setLayers(sceneLayers, scene.photo->color, *analysis->front, *analysis->back);
     geometry.setEnvironment(core::DirectionalMap());
 
     double build = std::numeric_limits<double>::max();

@@ -77,8 +77,7 @@ Bench::Bench(gpu::Device d, const core::Scene& s, const core::Analysis& a, const
     segment = *std::ranges::find_if(scene.segments, [](const core::Segment& x) { return x.edit.has_value(); });
     const core::DepthLayers layers =
         core::buildDepthLayers(scene.photo->camera, scene.photo->labels, *analysis.front, *analysis.back);
-    geometry.setLayers(layers, scene.photo->color, *analysis.front, *analysis.back,
-                       [](std::uint16_t label) { return static_cast<float>(label); });
+    geometry.setLayers(layers, scene.photo->color, *analysis.front, *analysis.back);
     geometry.setEnvironment(analysis.environment ? *analysis.environment : core::DirectionalMap());
     shading = core::buildSegmentShading(scene, analysis);
     (void)measured.use(placeMeasured(scene, shading));

@@ -155,6 +155,13 @@ struct Renderer::Impl {
     MeasuredTables measured;
     UserKernels userKernels;
     bool layersStale = false;
+    /// What is being uploaded, kept alive until it is.
+    struct {
+        std::shared_ptr<const core::Photo> photo;
+        std::shared_ptr<const core::Surface> front, back;
+        std::shared_ptr<const core::DepthLayers> layers;
+    } uploading;
+    bool otherPhoto = false;  ///< the picture is of other layers
     bool environmentStale = false;
     bool shadingStale = false;
     bool resultStale = false;  ///< the photograph has to be copied in again
@@ -166,6 +173,7 @@ struct Renderer::Impl {
 
     void setScene(const core::Scene& next, std::shared_ptr<const core::Analysis> nextAnalysis);
     void updateSegment(SegmentState& state, const core::Segment& segment);
+    [[nodiscard]] bool layersReady(double seconds);
     void upload();
     void prepareTargets();
     void preparePixels(SegmentState& state);
@@ -213,6 +221,7 @@ void Renderer::Impl::setScene(const core::Scene& next, std::shared_ptr<const cor
     const bool newEnvironment = !analysis || nextAnalysis->environment != analysis->environment;
     if (newLayers || newEnvironment) {
         layersStale = layersStale || newLayers;
+        otherPhoto = otherPhoto || newLayers;
         environmentStale = environmentStale || newEnvironment;
         segments.clear();
         resultStale = true;
@@ -302,18 +311,23 @@ void Renderer::Impl::updateSegment(SegmentState& state, const core::Segment& seg
 
 // ---- uploads --------------------------------------------------------------------------------------------------------
 
-void Renderer::Impl::upload() {
+/// Goes on uploading new layers; true when they are on the device.
+bool Renderer::Impl::layersReady(double seconds) {
     if (layersStale) {
-        const auto mark = [](std::uint16_t label) { return static_cast<float>(label); };
-        if (analysis->layers) {
-            geometry.setLayers(*analysis->layers, scene.photo->color, *analysis->front, *analysis->back, mark);
-        } else {
-            const core::DepthLayers layers =
-                core::buildDepthLayers(scene.photo->camera, scene.photo->labels, *analysis->front, *analysis->back);
-            geometry.setLayers(layers, scene.photo->color, *analysis->front, *analysis->back, mark);
-        }
+        uploading = {
+            .photo = scene.photo, .front = analysis->front, .back = analysis->back, .layers = analysis->layers};
+        if (!uploading.layers)
+            uploading.layers = std::make_shared<core::DepthLayers>(
+                core::buildDepthLayers(scene.photo->camera, scene.photo->labels, *analysis->front, *analysis->back));
+        geometry.beginLayers(*uploading.layers, uploading.photo->color, *uploading.front, *uploading.back);
         layersStale = false;
     }
+    if (!geometry.uploadRows(seconds)) return false;
+    uploading = {};
+    return true;
+}
+
+void Renderer::Impl::upload() {
     if (environmentStale) {
         geometry.setEnvironment(analysis->environment ? *analysis->environment : core::DirectionalMap(), lightSampling);
         environmentStale = false;
@@ -720,13 +734,14 @@ bool Renderer::Impl::kernelsReady(double seconds) {
 
 /// Until the kernels of the edits are compiled, the picture stays, or is the photograph when there is none.
 void Renderer::Impl::keepPicture(const gpu::CommandEncoder& encoder) {
-    if ((targets.result && !layersStale) || device.compiling()) return;
+    if ((targets.result && !otherPhoto) || device.compiling()) return;
     std::vector<SegmentState> kept = std::exchange(segments, {});
     upload();
     geometry.record(encoder);
     encoder.copyTextureToTexture({.texture = geometry.photo()}, {.texture = targets.result},
                                  {geometry.width(), geometry.height()});
     changed = whole();
+    otherPhoto = false;
     segments = std::move(kept);
 }
 
@@ -735,9 +750,10 @@ bool Renderer::Impl::record(gpu::CommandEncoder& encoder, double budgetSeconds) 
     if (!analysis) return false;
     timer.collect();
     const double patience = std::min(budgetSeconds, kBackgroundWait);
-    waiting = !kernelsReady(patience);
+    const bool layers = layersReady(budgetSeconds);
+    waiting = !kernelsReady(layers ? patience : 0) || !layers;
     if (waiting) {
-        keepPicture(encoder);
+        if (layers) keepPicture(encoder);
         return true;
     }
     upload();
@@ -747,7 +763,7 @@ bool Renderer::Impl::record(gpu::CommandEncoder& encoder, double budgetSeconds) 
         encoder.copyTextureToTexture({.texture = geometry.photo()}, {.texture = targets.result},
                                      {geometry.width(), geometry.height()});
         for (SegmentState& state : segments) state.compositeStale = true;
-        resultStale = false;
+        resultStale = otherPhoto = false;
         changed = whole();
         worked = true;
     }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
+#include <limits>
 
 #include "core/render/kernels.h"
 #include "gpu/adapter.h"
@@ -13,6 +15,7 @@ namespace {
 
 constexpr std::size_t kTexelBytes = 4 * sizeof(float);
 constexpr std::uint64_t kSmallestPyramid = 16 * 16;  // fits anywhere
+constexpr int kTexelsAtOnce = 1 << 16;               // of each layer: some milliseconds
 
 /// Cells of 2^level pixels along `pixels`.
 std::uint32_t cellsAlong(std::uint32_t pixels, std::uint32_t level) {
@@ -95,56 +98,123 @@ gpu::Texture SceneGeometry::upload(const char* label, std::uint32_t width, std::
     return texture;
 }
 
+gpu::Texture SceneGeometry::makeLayer(const char* label) const {
+    return device_.createTexture(
+        {.label = label,
+         .size = {width_, height_},
+         .format = gpu::TextureFormat::RGBA32Float,
+         .usage = gpu::TextureUsage::TextureBinding | gpu::TextureUsage::CopyDst | gpu::TextureUsage::CopySrc});
+}
+
 void SceneGeometry::setLayers(const core::DepthLayers& layers, const core::ImageRgb& photo, const core::Surface& front,
-                              const core::Surface& back, const std::function<float(std::uint16_t)>& markOf) {
-    CORE_ASSERT(layers.front.sameSize(photo) && layers.back.sameSize(photo) && layers.labels.sameSize(photo) &&
-                    front.normal.sameSize(photo) && back.normal.sameSize(photo) && back.color.sameSize(photo),
-                "layers of one size");
-    uploadPatches(layers, markOf);
-    frontColor_ = upload("photo", width_, height_, texelsOf(photo));
-    backColor_ = upload("back colour", width_, height_, texelsOf(back.color));
-    frontNormal_ = upload("front normal", width_, height_, texelsOf(front.normal));
-    backNormal_ = upload("back normal", width_, height_, texelsOf(back.normal));
+                              const core::Surface& back) {
+    beginLayers(layers, photo, front, back);
+    uploadRows(std::numeric_limits<double>::infinity());
 }
 
 void SceneGeometry::setPatches(const core::DepthLayers& layers) {
-    uploadPatches(layers, [](std::uint16_t label) { return static_cast<float>(label); });
+    begin({.layers = &layers});
     const gpu::Texture nothing = upload("no picture", 1, 1, std::vector<float>(4, 0.0f));
     frontColor_ = backColor_ = frontNormal_ = backNormal_ = nothing;
+    uploadRows(std::numeric_limits<double>::infinity());
     setEnvironment(core::DirectionalMap());
 }
 
-void SceneGeometry::uploadPatches(const core::DepthLayers& layers, const std::function<float(std::uint16_t)>& markOf) {
+void SceneGeometry::beginLayers(const core::DepthLayers& layers, const core::ImageRgb& photo,
+                                const core::Surface& front, const core::Surface& back) {
+    CORE_ASSERT(layers.front.sameSize(photo) && layers.back.sameSize(photo) && layers.labels.sameSize(photo) &&
+                    front.normal.sameSize(photo) && back.normal.sameSize(photo) && back.color.sameSize(photo),
+                "layers of one size");
+    begin({.layers = &layers, .photo = &photo, .front = &front, .back = &back});
+    frontColor_ = makeLayer("photo");
+    backColor_ = makeLayer("back colour");
+    frontNormal_ = makeLayer("front normal");
+    backNormal_ = makeLayer("back normal");
+}
+
+void SceneGeometry::begin(const Source& source) {
+    const core::DepthLayers& layers = *source.layers;
     const auto width = static_cast<std::uint32_t>(layers.front.width());
     const auto height = static_cast<std::uint32_t>(layers.front.height());
     requireFits(width, height);
+    source_ = source;
     camera_ = layers.camera;
     width_ = width;
     height_ = height;
-
-    std::vector<float> frontTexels(layers.front.size() * 4);
-    std::vector<float> backTexels(layers.front.size() * 4);
     leastW_ = kernel::kEmptyRangeMin;
     greatestW_ = kernel::kEmptyRangeMax;
-    for (std::size_t i = 0; i < layers.front.size(); ++i) {
-        const core::DepthLayers::Patch& f = layers.front[i];
-        const core::DepthLayers::Patch& b = layers.back[i];
-        const float frontTexel[] = {f.w, f.gu, f.gv, markOf(layers.labels[i])};
-        const float backTexel[] = {b.w, b.gu, b.gv, 0};
-        std::copy_n(frontTexel, 4, &frontTexels[4 * i]);
-        std::copy_n(backTexel, 4, &backTexels[4 * i]);
-        const kernel::vec2 range = kernel::pixelRange({f.w, f.gu, f.gv, 0}, {b.w, b.gu, b.gv, 0});
-        leastW_ = std::min(leastW_, range.x);
-        greatestW_ = std::max(greatestW_, range.y);
-    }
-    frontPatch_ = upload("front patch", width, height, frontTexels);
-    backPatch_ = upload("back patch", width, height, backTexels);
+    frontPatch_ = makeLayer("front patch");
+    backPatch_ = makeLayer("back patch");
     shape_ = render::pyramidShape(width, height, device_.limits().maxStorageBufferBindingSize / sizeof(kernel::uint));
     pyramid_ = device_.createBuffer({.label = "pyramid",
                                      .size = shape_.cells() * sizeof(kernel::uint),
                                      .usage = gpu::BufferUsage::Storage | gpu::BufferUsage::CopySrc});
     pyramidStale_ = true;
     group_ = {};
+}
+
+bool SceneGeometry::uploadRows(double seconds) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto height = static_cast<int>(height_);
+    const int rowsAtOnce = std::max(1, kTexelsAtOnce / static_cast<int>(std::max(width_, 1u)));
+    while (source_.layers != nullptr) {
+        const int first = source_.row;
+        const int rows = std::min(rowsAtOnce, height - first);
+        uploadPatches(first, rows);
+        if (source_.photo != nullptr) {
+            uploadImage(frontColor_, *source_.photo, first, rows);
+            uploadImage(backColor_, source_.back->color, first, rows);
+            uploadImage(frontNormal_, source_.front->normal, first, rows);
+            uploadImage(backNormal_, source_.back->normal, first, rows);
+        }
+        source_.row += rows;
+        if (source_.row == height) {
+            source_ = {};
+            texels_ = {};
+        }
+        if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > seconds) break;
+    }
+    return source_.layers == nullptr;
+}
+
+void SceneGeometry::writeRows(const gpu::Texture& texture, int firstRow, int rows) {
+    device_.queue().writeTexture({.texture = texture, .origin = {0, static_cast<std::uint32_t>(firstRow), 0}},
+                                 texels_.data(), texels_.size() * sizeof(float), {},
+                                 {width_, static_cast<std::uint32_t>(rows), 1});
+}
+
+void SceneGeometry::uploadPatches(int firstRow, int rows) {
+    const core::DepthLayers& layers = *source_.layers;
+    const std::size_t first = layers.front.index(0, firstRow);
+    const std::size_t count = std::size_t{width_} * static_cast<std::size_t>(rows);
+    texels_.resize(4 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const core::DepthLayers::Patch& f = layers.front[first + i];
+        const core::DepthLayers::Patch& b = layers.back[first + i];
+        const float texel[] = {f.w, f.gu, f.gv, static_cast<float>(layers.labels[first + i])};
+        std::copy_n(texel, 4, &texels_[4 * i]);
+        const kernel::vec2 range = kernel::pixelRange({f.w, f.gu, f.gv, 0}, {b.w, b.gu, b.gv, 0});
+        leastW_ = std::min(leastW_, range.x);
+        greatestW_ = std::max(greatestW_, range.y);
+    }
+    writeRows(frontPatch_, firstRow, rows);
+    for (std::size_t i = 0; i < count; ++i) {
+        const core::DepthLayers::Patch& b = layers.back[first + i];
+        const float texel[] = {b.w, b.gu, b.gv, 0};
+        std::copy_n(texel, 4, &texels_[4 * i]);
+    }
+    writeRows(backPatch_, firstRow, rows);
+}
+
+void SceneGeometry::uploadImage(const gpu::Texture& texture, const core::ImageV3& image, int firstRow, int rows) {
+    const std::size_t first = image.index(0, firstRow);
+    const std::size_t count = std::size_t{width_} * static_cast<std::size_t>(rows);
+    texels_.resize(4 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::copy_n(image[first + i].data(), 3, &texels_[4 * i]);
+        texels_[4 * i + 3] = 1;
+    }
+    writeRows(texture, firstRow, rows);
 }
 
 void SceneGeometry::setEnvironment(const core::DirectionalMap& environment, core::LightSampling lightSampling) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <utility>
 
 #include "core/analysis.h"
@@ -41,9 +40,14 @@ class SceneGeometry {
     void requireBufferFits(const char* what, std::uint64_t bytes) const;
     /// Uploads only what rays march through; colours, normals and light are black. The mark is the label.
     void setPatches(const core::DepthLayers& layers);
-    /// Uploads a new picture. `markOf` says what the kernels see as a label (an index into their material table).
+    /// Uploads a new picture.
     void setLayers(const core::DepthLayers& layers, const core::ImageRgb& photo, const core::Surface& front,
-                   const core::Surface& back, const std::function<float(std::uint16_t)>& markOf);
+                   const core::Surface& back);
+    /// The same, begun only: `uploadRows` does the work. What it is given has to live until then.
+    void beginLayers(const core::DepthLayers& layers, const core::ImageRgb& photo, const core::Surface& front,
+                     const core::Surface& back);
+    /// Goes on for about `seconds`, at least by a few rows; true when all is uploaded.
+    bool uploadRows(double seconds);
     /// Uploads the light and what paths need to sample it; an empty map is black.
     void setEnvironment(const core::DirectionalMap& environment,
                         core::LightSampling lightSampling = core::LightSampling::Both);
@@ -65,7 +69,19 @@ class SceneGeometry {
     [[nodiscard]] std::uint32_t height() const { return height_; }
 
   private:
-    void uploadPatches(const core::DepthLayers& layers, const std::function<float(std::uint16_t)>& markOf);
+    /// What is uploaded, row by row; without picture and normals only the patches are.
+    struct Source {
+        const core::DepthLayers* layers = nullptr;
+        const core::ImageRgb* photo = nullptr;
+        const core::Surface* front = nullptr;
+        const core::Surface* back = nullptr;
+        int row = 0;
+    };
+    void begin(const Source& source);
+    void uploadPatches(int firstRow, int rows);
+    void uploadImage(const gpu::Texture& texture, const core::ImageV3& image, int firstRow, int rows);
+    void writeRows(const gpu::Texture& texture, int firstRow, int rows);
+    [[nodiscard]] gpu::Texture makeLayer(const char* label) const;
     [[nodiscard]] gpu::Texture upload(const char* label, std::uint32_t width, std::uint32_t height,
                                       const std::vector<float>& texels) const;
     gpu::Device device_;
@@ -82,6 +98,8 @@ class SceneGeometry {
     gpu::Buffer block_;
     core::Camera camera_;
     gpu::BindGroup group_;
+    Source source_;              ///< no layers: nothing is being uploaded
+    std::vector<float> texels_;  ///< scratch
     bool pyramidStale_ = false;
 };
 

@@ -18,8 +18,7 @@ kernel::vec4 texel(const core::DepthLayers::Patch& patch) { return {patch.w, pat
 
 struct Scene {
     explicit Scene(const AnalyticScene& source) : layers(source.layers()), geometry(testing_support::device()) {
-        geometry.setLayers(layers, source.photo->color, *source.front, *source.back,
-                           [](std::uint16_t label) { return static_cast<float>(label); });
+        geometry.setLayers(layers, source.photo->color, *source.front, *source.back);
         geometry.setEnvironment(*source.environment);
         const gpu::CommandEncoder encoder = testing_support::device().createCommandEncoder({.label = "pyramid"});
         geometry.record(encoder);
