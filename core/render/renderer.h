@@ -32,7 +32,7 @@ class Renderer {
     /// What to render from now on. Compares with what it has: a new analysis uploads geometry, a changed edit restarts
     /// that segment's accumulation, changed blend weights restart nothing. With more than one bounce, paths that start
     /// on one segment may meet the others (and itself) and see their materials and weights, so then any change of a
-    /// material restarts all. Uploads happen in the next `record`. Throws core::Error(Usage) for an unknown BRDF and
+    /// material restarts all. Uploads happen in the next `record`s. Throws core::Error(Usage) for an unknown BRDF and
     /// gpu::Error(OutOfMemory) for a picture the device has no room for; the renderer then keeps what it had.
     void setScene(const core::Scene& scene, std::shared_ptr<const core::Analysis> analysis);
 
@@ -50,8 +50,9 @@ class Renderer {
         int samples = 0;  ///< completed samples per pixel, the least over all edited segments
         int target = 0;
         bool finished = false;
-        bool waiting = false;  ///< the last `record` changed nothing: kernels or samples are made on other threads
-        float fraction = 0;    ///< of all work, [0, 1]
+        bool waiting = false;              ///< the last `record` changed nothing: kernels or samples are made on other
+                                           ///< threads, or a new picture is being uploaded
+        float fraction = 0;                ///< of all work, [0, 1]
         std::uint64_t droppedSamples = 0;  ///< NaN or Inf paths left out, as far as the device has reported; must be 0
         std::vector<SegmentProgress> segments;  ///< the edited segments, by label
     };
