@@ -42,6 +42,6 @@ void main() {
         fresh += weightAt(block.translucentWeight, kDriveTranslucentWeight, pixel) * transmission * kInvPi * diffusion;
     }
     vec3 result = weightAt(block.blendNew, kDriveBlendNew, pixel) * fresh +
-             weightAt(block.blendOriginal, kDriveBlendOriginal, pixel) * photo;
+                  weightAt(block.blendOriginal, kDriveBlendOriginal, pixel) * photo;
     imageStore(resultMap, pixel, vec4(result, 1.0));
 }
