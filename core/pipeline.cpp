@@ -89,7 +89,7 @@ Stage firstChangedStage(const Scene& before, const Scene& after) {
     touch(a.seed != b.seed || a.bounces != b.bounces || a.surfaceSamples != b.surfaceSamples ||
               a.irradianceSamples != b.irradianceSamples || a.diffusionQuality != b.diffusionQuality,
           Stage::Irradiance);
-    touch(a.samples != b.samples, Stage::Reshade);
+    touch(a.samples != b.samples || a.timeLimit != b.timeLimit, Stage::Reshade);
     touch(a.filter != b.filter, Stage::Composite);
     return first;
 }

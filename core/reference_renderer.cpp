@@ -377,9 +377,9 @@ ImageRgb ReferenceRenderer::composite(const ImageRgb& reshaded, const ImageRgb& 
     }
     const std::vector<std::uint8_t> edited = editedLabels(shading_);
     for (const Segment& segment : scene_.segments) {
-        if (!segment.edit || !usable(*segment.edit) || segment.glossy) continue;
-        for (const SilhouettePixel& p :
-             findSilhouette(scene_.photo->color, layers_->labels, analysis_->front->depth, segment.label, edited))
+        if (!segment.edit || !usable(*segment.edit)) continue;
+        for (const SilhouettePixel& p : findSilhouette(scene_.photo->color, layers_->labels, analysis_->front->depth,
+                                                       segment.label, edited, coverageFrom(segment.glossy)))
             result(p.x, p.y) =
                 p.coverage * result(p.sourceX, p.sourceY) + p.kept +
                 weightAt(segment.edit->blendOriginal, kernel::kDriveBlendOriginal, p.sourceX, p.sourceY) *

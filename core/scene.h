@@ -108,7 +108,9 @@ struct EnvironmentParams {
 enum class DiffusionQuality : std::uint8_t { Draft, Standard, Fine };
 
 struct RenderParams {
-    int samples = 64;  ///< paths per pixel at which accumulation stops
+    int samples = 64;      ///< paths per pixel at which accumulation stops
+    double timeLimit = 0;  ///< [s] of rendering after which it stops, too, the first picture excepted; 0 = none. For
+                           ///< the view only: a project's final picture has all samples.
     std::uint32_t seed = 1;
     int bounces = 4;              ///< surfaces a path may visit; 1 = the paper
     bool filter = true;           ///< edge-aware filter of the result

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -14,6 +15,31 @@ constexpr int kSearchRadius = 4;          // for a clean colour [px]
 constexpr float kLeastContrast = 0.1f;    // relative difference of F and B below which the label is believed instead
 constexpr float kPureDifference = 0.03f;  // relative difference from a pure colour that texture makes
 constexpr float kLeastShare = 1.0f / 64;
+constexpr int kLabelRadius = 4;       // of the labels' Gaussian mean [px]
+constexpr float kLabelSigma = 1.25f;  // [px]
+
+/// z for which a share `p` in (0, 1) of a normal distribution lies below z (Abramowitz and Stegun 26.2.23, error below
+/// 4.5e-4).
+float normalQuantile(float p) {
+    const float t = std::sqrt(-2 * std::log(std::min(p, 1 - p)));
+    const float z =
+        t - (2.515517f + t * (0.802853f + t * 0.010328f)) / (1 + t * (1.432788f + t * (0.189269f + t * 0.001308f)));
+    return p < 0.5f ? -z : z;
+}
+
+/// Share of a unit square within the half plane { q : n·q + d >= 0 }, |n| = 1, q from the square's centre.
+float halfPlaneCoverage(const Vector2f& n, float d) {
+    const float a = std::max(n.cwiseAbs().maxCoeff(), 1e-6f);
+    const float b = n.cwiseAbs().minCoeff();
+    const auto ramp = [a](float t) { return std::clamp(t / a + 0.5f, 0.0f, 1.0f); };
+    if (b < 1e-3f) return ramp(d);
+    // Mean of the ramp over [d − b/2, d + b/2].
+    const auto integral = [a](float t) {
+        const float u = std::clamp(t / a + 0.5f, 0.0f, 1.0f);
+        return a * u * u / 2 + std::max(t - a / 2, 0.0f);
+    };
+    return (integral(d + b / 2) - integral(d - b / 2)) / b;
+}
 
 class Outline {
   public:
@@ -51,6 +77,26 @@ class Outline {
             if (distance < least && clean(u, v, radius, wanted)) least = distance;
         });
         return least;
+    }
+
+    /// Share of pixel (x, y) inside a straight edge with the same Gaussian mean of labels around it.
+    [[nodiscard]] float coverage(int x, int y) const {
+        float weights = 0;
+        float sum = 0;
+        Vector2f gradient = Vector2f::Zero();
+        for (int j = -kLabelRadius; j <= kLabelRadius; ++j)
+            for (int i = -kLabelRadius; i <= kLabelRadius; ++i) {
+                if (!labels_.contains(x + i, y + j)) continue;
+                const Vector2f q(static_cast<float>(i), static_cast<float>(j));
+                const float weight = std::exp(-q.squaredNorm() / (2 * kLabelSigma * kLabelSigma));
+                weights += weight;
+                if (!inside(x + i, y + j)) continue;
+                sum += weight;
+                gradient += weight * q;
+            }
+        const float mean = sum / weights;
+        if (!(mean > 0 && mean < 1) || gradient.isZero()) return mean;
+        return halfPlaneCoverage(gradient.normalized(), kLabelSigma * normalQuantile(mean));
     }
 
     /// The smallest rectangle with all of the segment; empty when there is none.
@@ -92,7 +138,8 @@ float mixture(const Vector3f& c, const Vector3f& f, const Vector3f& b, float exp
 }  // namespace
 
 std::vector<SilhouettePixel> findSilhouette(const ImageRgb& photo, const LabelImage& labels, const ImageF& depth,
-                                            std::uint16_t label, const std::vector<std::uint8_t>& edited) {
+                                            std::uint16_t label, const std::vector<std::uint8_t>& edited,
+                                            CoverageFrom from) {
     CORE_ASSERT(photo.sameSize(labels) && depth.sameSize(labels), "images of one size");
     const Outline outline(labels, depth, label);
     std::vector<SilhouettePixel> result;
@@ -113,11 +160,16 @@ std::vector<SilhouettePixel> findSilhouette(const ImageRgb& photo, const LabelIm
             const Vector3f& c = photo(x, y);
             const Vector3f& f = photo(inner->x(), inner->y());
             const Vector3f& b = photo(outer->x(), outer->y());
-            const float a = mixture(c, f, b, inside ? 1.0f : 0.0f,
-                                    outline.distanceToPure(photo, x, y, inside ? 1 : kOuterRings, inside));
+            const float a = from == CoverageFrom::Labels
+                                ? outline.coverage(x, y)
+                                : mixture(c, f, b, inside ? 1.0f : 0.0f,
+                                          outline.distanceToPure(photo, x, y, inside ? 1 : kOuterRings, inside));
             if (inside ? a > 1 - kLeastShare : a < kLeastShare) continue;
+            const Vector3f background = (1 - a) * b;
             if (inside)
-                result.push_back({x, y, x, y, a, (1 - a) * b, (1 - a) * (c - b)});
+                result.push_back({x, y, x, y, a, background, (1 - a) * (c - b)});
+            else if (from == CoverageFrom::Labels)
+                result.push_back({x, y, inner->x(), inner->y(), a, background, c - a * f - background});
             else
                 result.push_back({x, y, inner->x(), inner->y(), a, (c - a * f).cwiseMax(0.0f), Vector3f::Zero()});
         }

@@ -22,15 +22,25 @@ struct SilhouettePixel {
     Vector3f keptOriginal;         ///< what the photograph's own weight adds to it
 };
 
+/// What the coverage of a pixel is estimated from.
+enum class CoverageFrom : std::uint8_t {
+    Colors,  ///< of the pixel and of those beside it
+    Labels,  ///< around the pixel: for glossy segments, since a mirror's rim shows what is beside it
+};
+
+[[nodiscard]] constexpr CoverageFrom coverageFrom(bool glossy) {
+    return glossy ? CoverageFrom::Labels : CoverageFrom::Colors;
+}
+
 /// The mixed pixels of `label`'s outline, by rows: one pixel inside, up to two outside, none of another segment in
 /// `edited` (indexed by label) and none without the segment's depth inside.
 ///
-/// The coverage a is that of the mixture C = a F + (1 − a) B of the nearest clean inner colour F and the nearest clean
-/// outer colour B, least squares in closed form. Where F and B hardly differ, or C is no mixture of them, it tends to
-/// what the label says (1 or 0); pixels that are what their label says are not listed.
-/// Not for glossy segments: at its rim a mirror shows what is beside it, so its colours tell no mixture.
+/// From colours the coverage a is that of the mixture C = a F + (1 − a) B of the nearest clean inner colour F and the
+/// nearest clean outer colour B, least squares in closed form. Where F and B hardly differ, or C is no mixture of them,
+/// it tends to what the label says (1 or 0). From labels it is that of the straight edge that explains their Gaussian
+/// mean. Pixels that are what their label says are not listed.
 [[nodiscard]] std::vector<SilhouettePixel> findSilhouette(const ImageRgb& photo, const LabelImage& labels,
                                                           const ImageF& depth, std::uint16_t label,
-                                                          const std::vector<std::uint8_t>& edited);
+                                                          const std::vector<std::uint8_t>& edited, CoverageFrom from);
 
 }  // namespace core

@@ -176,11 +176,19 @@ void Canvas::setScene(const core::Scene& scene, std::shared_ptr<const core::Anal
     restarts_ = 0;
 }
 
-void Canvas::setPaused(bool paused) {
+void Canvas::setSuspended(bool suspended) {
     if (window_ == nullptr) return;
-    window_->state().paused = paused;
+    window_->state().suspended = suspended;
     window_->redraw();
 }
+
+void Canvas::setRefining(bool refining) {
+    if (window_ == nullptr) return;
+    window_->state().refining = refining;
+    window_->redraw();
+}
+
+bool Canvas::refining() const { return window_ == nullptr || window_->state().refining; }
 
 void Canvas::setSelection(std::uint16_t label) {
     if (window_ == nullptr) return;

@@ -63,7 +63,10 @@ class Canvas : public QWidget {
     /// What the renderer works on from the next frame; the analysis belongs to the scene.
     void setScene(const core::Scene& scene, std::shared_ptr<const core::Analysis> analysis);
     /// No more slices until resumed; the picture stays.
-    void setPaused(bool paused);
+    void setSuspended(bool suspended);
+    /// False: changes are shown by their first picture, which is not refined until this is true again.
+    void setRefining(bool refining);
+    [[nodiscard]] bool refining() const;
 
     void setSelection(std::uint16_t label);
     void setOutlineShown(bool shown);

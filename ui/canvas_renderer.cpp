@@ -147,7 +147,8 @@ void CanvasRenderer::submitStep() {
         sceneStale_ = false;
     }
     gpu::CommandEncoder encoder = device_.createCommandEncoder({.label = "canvas step"});
-    workLeft_ = renderer_ != nullptr && !state.paused && renderer_->record(encoder, budget);
+    if (renderer_ != nullptr) renderer_->setRefining(state.refining);
+    workLeft_ = renderer_ != nullptr && !state.suspended && renderer_->record(encoder, budget);
     if (renderer_ != nullptr) {
         hasResult_ = static_cast<bool>(renderer_->result());
         progress_ = renderer_->progress();

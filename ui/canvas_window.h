@@ -21,7 +21,8 @@ struct CanvasState {
     std::shared_ptr<const core::Scene> scene;  ///< nullptr until there is an analysis
     std::shared_ptr<const core::Analysis> analysis;
     std::uint64_t sceneNumber = 0;  ///< counts the scenes that were set
-    bool paused = false;
+    bool suspended = false;         ///< no work for the renderer at all
+    bool refining = true;           ///< beyond the first picture of a change
     std::uint16_t selected = 0;
     QRect selectedBounds;  ///< smallest rectangle around the selected segment [picture pixels]
     bool outlineShown = true;

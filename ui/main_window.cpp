@@ -278,11 +278,14 @@ void MainWindow::updateProgress() {
         text = analysisStep_;
         shown = false;
     } else if (progress.finished) {
-        text = progress.target > 0 ? tr("Finished, %1 samples").arg(progress.target) : tr("Finished");
+        text = progress.target > 0 ? tr("Finished, %1 samples").arg(progress.samples) : tr("Finished");
+        if (progress.timeUp) text = tr("Time limit, %1 of %2 samples").arg(progress.samples).arg(progress.target);
         permille = 1000;
         shown = false;
     } else if (progress.target > 0) {
-        text = tr("%1 of %2 samples").arg(progress.samples).arg(progress.target);
+        text = (canvas_->refining() ? tr("%1 of %2 samples") : tr("Paused, %1 of %2 samples"))
+                   .arg(progress.samples)
+                   .arg(progress.target);
         permille = static_cast<int>(progress.fraction * 1000);
     } else {
         shown = false;

@@ -131,6 +131,13 @@ void MainWindow::makeViewMenu() {
     ruler->setCheckable(true);
     ruler->setChecked(true);
     connect(ruler, &QAction::toggled, ruler_, &SubstanceRuler::setShown);
+    QAction* pause = addAction(menu, "actionPause", tr("&Pause refinement"), QKeySequence(Qt::CTRL | Qt::Key_P),
+                               tr("Show changes, but leave the device idle instead of refining them"), [] {});
+    pause->setCheckable(true);
+    connect(pause, &QAction::toggled, this, [this](bool on) {
+        canvas_->setRefining(!on);
+        updateProgress();
+    });
     panels_ = menu->addMenu(tr("&Panels"));
 }
 
@@ -174,7 +181,7 @@ void MainWindow::makeToolBar() {
     connect(exposureBox_, &QDoubleSpinBox::valueChanged, this, &MainWindow::setExposure);
     bar->addWidget(exposureBox_);
     bar->addSeparator();
-    for (const char* key : {"actionFit", "actionZoom100"}) {
+    for (const char* key : {"actionFit", "actionZoom100", "actionPause"}) {
         bar->addAction(findChild<QAction*>(QString::fromUtf8(key)));
     }
     addToolBar(bar);

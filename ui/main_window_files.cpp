@@ -67,7 +67,7 @@ void MainWindow::runTask(const QString& title, BackgroundTask::Work work, std::f
 }
 
 void MainWindow::endTask() {
-    canvas_->setPaused(false);
+    canvas_->setSuspended(false);
     if (progressDialog_ != nullptr) progressDialog_->deleteLater();
     progressDialog_ = nullptr;
     task_.release()->deleteLater();
@@ -202,7 +202,7 @@ void MainWindow::exportPicture(const QString& path) {
     if (!workspace_.hasPhoto()) return;
     const std::shared_ptr<const core::Analysis> known = analysing_ ? nullptr : workspace_.analysis();
     // The device is shared with the export: the preview waits.
-    canvas_->setPaused(true);
+    canvas_->setSuspended(true);
     runTask(
         tr("Exporting %1").arg(QFileInfo(path).fileName()),
         [scene = workspace_.scene(), known, path,
@@ -217,7 +217,9 @@ void MainWindow::exportPicture(const QString& path) {
                     kernels.get());
                 analysis = core::AnalysisPipeline().run(scene, onKernels);
             }
-            core::saveColor(render::renderImage(device, scene, analysis, context), path.toStdString());
+            core::Scene whole = scene;
+            whole.render.timeLimit = 0;
+            core::saveColor(render::renderImage(device, whole, analysis, context), path.toStdString());
         },
         [this, path] { statusBar()->showMessage(tr("Exported %1").arg(path), 6000); });
 }

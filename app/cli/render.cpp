@@ -25,9 +25,10 @@ struct RenderArguments {
     std::string project;
     std::vector<std::string> edits;
     std::vector<std::string> reflectances;
-    int samples = 0;
-    int bounces = 0;
-    std::uint32_t seed = 1;
+    std::optional<int> samples;
+    std::optional<int> bounces;
+    std::optional<std::uint32_t> seed;
+    double timeLimit = 0;
     std::string environment;
     std::string backDepth;
     bool completeEnvironment = false;
@@ -72,7 +73,7 @@ Edits parseEdits(const RenderArguments& args) {
     return edits;
 }
 
-void render(const RenderArguments& args, bool samplesGiven, bool bouncesGiven, bool seedGiven, const Session& session) {
+void render(const RenderArguments& args, const Session& session) {
     gpu::Device device;
     const auto open = [&] {
         if (!device) device = openDevice(session);
@@ -102,9 +103,10 @@ void render(const RenderArguments& args, bool samplesGiven, bool bouncesGiven, b
                 .withContext("In the edit of \"" + segment.name + "\".");
     refuseOverwritingInput(scene, args.project, args.output);
     for (const auto& [label, rho] : edits.reflectances) requireSegment(scene, label).reflectance = rho;
-    if (samplesGiven) scene.render.samples = args.samples;
-    if (bouncesGiven) scene.render.bounces = args.bounces;
-    if (seedGiven) scene.render.seed = args.seed;
+    if (args.samples) scene.render.samples = *args.samples;
+    if (args.bounces) scene.render.bounces = *args.bounces;
+    if (args.seed) scene.render.seed = *args.seed;
+    scene.render.timeLimit = args.timeLimit;
     if (args.noFilter) scene.render.filter = false;
     core::requireWritable(args.output);
 
@@ -112,8 +114,12 @@ void render(const RenderArguments& args, bool samplesGiven, bool bouncesGiven, b
     const core::StepContext context = makeStepContext();
     const std::shared_ptr<const core::Analysis> analysis = analyse(scene, session);
     printNotes(core::analysisNotes(scene, *analysis));
-    const core::ImageRgb result = render::renderImage(device, scene, analysis, context);
+    render::Renderer::Progress reached;
+    const core::ImageRgb result = render::renderImage(device, scene, analysis, context, &reached);
     finishProgress();
+    if (reached.timeUp)
+        printNotes({"The time limit ended rendering after " + std::to_string(reached.samples) + " of " +
+                    std::to_string(reached.target) + " samples."});
     core::saveColor(result, args.output);
 }
 
@@ -166,7 +172,7 @@ void addRender(CLI::App& app, Session& session) {
         "                  keeps the photograph's texture\n\n"
         "BRDFs and their parameters:\n" +
         brdfWords() +
-        "\nThe same project, options, seed and device give the same bytes.\n\n"
+        "\nThe same project, options, seed and device give the same bytes, unless there is a time limit.\n\n"
         "Example:\n"
         "  patina-cli render studio.patina --edit 'vase={\"brdf\": \"ggx\", \"alpha\": 0.35}' -o rough.png");
     command->add_option("project", args->project, "Project file")->required()->type_name("P.patina");
@@ -174,13 +180,16 @@ void addRender(CLI::App& app, Session& session) {
         ->type_name("LABEL=JSON")
         ->expected(1)
         ->take_all();
-    CLI::Option* samples = command->add_option("--samples", args->samples, "Paths per pixel")
-                               ->type_name("N")
-                               ->check(CLI::Range(1, 1'000'000));
-    CLI::Option* bounces = command->add_option("--bounces", args->bounces, "Surfaces a path may visit")
-                               ->type_name("N")
-                               ->check(CLI::Range(1, 64));
-    CLI::Option* seed = command->add_option("--seed", args->seed, "Seed of the random numbers")->type_name("N");
+    command->add_option("--samples", args->samples, "Paths per pixel")->type_name("N")->check(CLI::Range(1, 1'000'000));
+    command
+        ->add_option("--time-limit", args->timeLimit,
+                     "Stop after so many seconds of rendering, but not before the first picture")
+        ->type_name("S")
+        ->check(CLI::Range(0.001, 86400.0));
+    command->add_option("--bounces", args->bounces, "Surfaces a path may visit")
+        ->type_name("N")
+        ->check(CLI::Range(1, 64));
+    command->add_option("--seed", args->seed, "Seed of the random numbers")->type_name("N");
     CLI::Option* environment = command
                                    ->add_option("--environment", args->environment,
                                                 "Use this latitude-longitude map instead of the recovered light")
@@ -201,11 +210,7 @@ void addRender(CLI::App& app, Session& session) {
     command->add_option("-o,--output", args->output, "Picture to write: .exr, .hdr (linear), .png, .tif, .jpg (sRGB)")
         ->required()
         ->type_name("FILE");
-    command->callback([&session, args, samples, bounces, seed] {
-        session.run = [&session, args, samples, bounces, seed] {
-            render(*args, samples->count() > 0, bounces->count() > 0, seed->count() > 0, session);
-        };
-    });
+    command->callback([&session, args] { session.run = [&session, args] { render(*args, session); }; });
 }
 
 }  // namespace cli

@@ -171,6 +171,7 @@ void readEnvironment(const json& value, const PathReader& paths, EnvironmentPara
 void readRender(const json& value, RenderParams& params) {
     JsonReader reader(value, "render", ErrorKind::Input);
     reader.read("samples", params.samples, 1, 1'000'000);
+    reader.read("time_limit", params.timeLimit, 0, 86400);
     reader.read("seed", params.seed);
     reader.read("bounces", params.bounces, 1, 64);
     reader.read("filter", params.filter);
@@ -279,6 +280,7 @@ ordered_json writeScene(const Scene& scene, const fs::path& folder) {
     if (!scene.backDepthPath.empty()) result["back_depth"] = relativeTo(folder, scene.backDepthPath);
     result["render"] = {
         {"samples", scene.render.samples},
+        {"time_limit", scene.render.timeLimit},
         {"seed", scene.render.seed},
         {"bounces", scene.render.bounces},
         {"filter", scene.render.filter},

@@ -17,7 +17,9 @@
 #include "core/depth_layers.h"
 #include "core/environment_sampler.h"
 #include "core/luminance.h"
+#include "core/parallel.h"
 #include "core/pipeline.h"
+#include "core/reference_renderer.h"
 #include "core/render/bench_embree.h"
 #include "core/render/bench_translucency.h"
 #include "core/render/gpu_analysis_kernels.h"
@@ -66,6 +68,10 @@ struct Benchmarks {
     [[nodiscard]] core::Scene withEdit(const core::Material& material) const;
     /// Pixels of the segment that `withEdit` edits.
     [[nodiscard]] std::size_t editedPixels() const;
+    [[nodiscard]] std::vector<std::size_t> chosenPixels(const core::Scene& edited, std::size_t count) const;
+    [[nodiscard]] std::vector<double> manyPaths(const core::Scene& reference,
+                                                const std::shared_ptr<const core::Analysis>& lit,
+                                                const std::vector<std::size_t>& pixels, std::uint32_t paths) const;
     [[nodiscard]] core::ImageRgb rendered(Renderer& renderer, double seconds) const;
     [[nodiscard]] double renderSeconds(Renderer& renderer, bool firstPictureOnly, double budgetSeconds) const;
 };
@@ -273,20 +279,56 @@ std::shared_ptr<const core::DirectionalMap> withSun(const core::DirectionalMap& 
     return map;
 }
 
+/// Pixels of the edited segment, evenly chosen and away from its outline, where pixels are mixed.
+std::vector<std::size_t> Benchmarks::chosenPixels(const core::Scene& edited, std::size_t count) const {
+    constexpr int kFromOutline = 3;  // [px]
+    const core::LabelImage& labels = scene.photo->labels;
+    std::vector<std::size_t> pixels;
+    for (int y = kFromOutline; y + kFromOutline < labels.height(); ++y)
+        for (int x = kFromOutline; x + kFromOutline < labels.width(); ++x) {
+            const core::Segment* segment = edited.findSegment(labels(x, y));
+            if (segment == nullptr || !segment->edit) continue;
+            bool inside = true;
+            for (int v = y - kFromOutline; v <= y + kFromOutline; ++v)
+                for (int u = x - kFromOutline; u <= x + kFromOutline; ++u)
+                    inside = inside && labels(u, v) == labels(x, y) && analysis->front->depth(u, v) > 0;
+            if (inside) pixels.push_back(labels.index(x, y));
+        }
+    if (pixels.empty())
+        throw core::Error(core::ErrorKind::Input, "The segment is too thin: no pixel of it is away from its outline.");
+    std::mt19937 random(1);
+    std::shuffle(pixels.begin(), pixels.end(), random);
+    pixels.resize(std::min(pixels.size(), count));
+    return pixels;
+}
+
+/// Mean of many paths through each of `pixels`, by the CPU twin: luminance.
+std::vector<double> Benchmarks::manyPaths(const core::Scene& reference,
+                                          const std::shared_ptr<const core::Analysis>& lit,
+                                          const std::vector<std::size_t>& pixels, std::uint32_t paths) const {
+    const core::ReferenceRenderer renderer(reference, lit);
+    const int width = scene.photo->labels.width();
+    std::vector<double> means(pixels.size());
+    core::parallelFor(context, "Benchmark: truth", static_cast<int>(pixels.size()), [&](int k) {
+        const auto i = static_cast<int>(pixels[static_cast<std::size_t>(k)]);
+        double sum = 0;
+        for (std::uint32_t s = 0; s < paths; ++s)
+            sum += static_cast<double>(core::luminance(renderer.pathRadiance(i % width, i / width, s)));
+        means[static_cast<std::size_t>(k)] = sum / paths;
+    });
+    return means;
+}
+
 void Benchmarks::quality() {
-    constexpr int kReferenceSamples = 256;
+    constexpr std::uint32_t kTruePaths = 16384;
+    constexpr std::size_t kPixels = 512;
     if (!analysis->environment || analysis->environment->empty())
         throw core::Error(core::ErrorKind::Input,
                           "There is no environment, so the quality of its sampling has no meaning.");
     core::Material material = core::defaultMaterial(*core::findBrdf("ggx"));
     material.values[0] = 0.35f;
     core::Scene edited = withEdit(material);
-    edited.render.filter = false;
-    std::vector<std::size_t> pixels;
-    for (std::size_t i = 0; i < scene.photo->labels.size(); ++i) {
-        const core::Segment* segment = edited.findSegment(scene.photo->labels[i]);
-        if (segment != nullptr && segment->edit && analysis->front->depth[i] > 0) pixels.push_back(i);
-    }
+    const std::vector<std::size_t> pixels = chosenPixels(edited, kPixels);
     const std::pair<const char*, std::shared_ptr<const core::DirectionalMap>> lights[] = {
         {"photo", analysis->environment}, {"sun", withSun(*analysis->environment)}};
     for (const auto& [light, environment] : lights) {
@@ -294,15 +336,19 @@ void Benchmarks::quality() {
         lit->environment = environment;
         core::Scene reference = edited;
         reference.render.seed += 1000;
-        reference.render.samples = kReferenceSamples;
-        const core::ImageRgb truth = renderImage(device, reference, lit, context);
-        double mean = 0;
-        for (const std::size_t i : pixels) mean += static_cast<double>(core::luminance(truth[i]));
-        mean /= static_cast<double>(pixels.size());
-        for (const auto& [sampling, method] :
-             {std::pair{core::LightSampling::BrdfOnly, "brdf"}, {core::LightSampling::Both, "both"}}) {
+        const std::vector<double> truth = manyPaths(reference, lit, pixels, kTruePaths);
+        const double mean = std::accumulate(truth.begin(), truth.end(), 0.0) / static_cast<double>(truth.size());
+        struct Method {
+            const char* name;
+            core::LightSampling sampling;
+            bool filter;
+        };
+        for (const auto& [method, sampling, filter] :
+             {Method{"brdf", core::LightSampling::BrdfOnly, false}, Method{"both", core::LightSampling::Both, false},
+              Method{"filtered", core::LightSampling::Both, true}}) {
             Renderer renderer(device, sampling);
             core::Scene timed = edited;
+            timed.render.filter = filter;
             timed.render.samples = 1 << 20;
             renderer.setScene(timed, lit);
             (void)rendered(renderer, 1);  // learns what slices cost
@@ -311,8 +357,8 @@ void Benchmarks::quality() {
                 renderer.setScene(timed, lit);
                 const core::ImageRgb image = rendered(renderer, seconds);
                 double squares = 0;
-                for (const std::size_t i : pixels) {
-                    const auto error = static_cast<double>(core::luminance(image[i]) - core::luminance(truth[i]));
+                for (std::size_t k = 0; k < pixels.size(); ++k) {
+                    const double error = static_cast<double>(core::luminance(image[pixels[k]])) - truth[k];
                     squares += error * error;
                 }
                 char name[64];

@@ -14,7 +14,8 @@ core::ImageRgb readResult(const gpu::Device& device, const Renderer& renderer) {
 }
 
 core::ImageRgb renderImage(gpu::Device device, const core::Scene& scene,
-                           const std::shared_ptr<const core::Analysis>& analysis, const core::StepContext& context) {
+                           const std::shared_ptr<const core::Analysis>& analysis, const core::StepContext& context,
+                           Renderer::Progress* reached) {
     // Long enough to keep the device busy between submissions, short enough to be cancelled at once.
     constexpr double kSubmissionSeconds = 0.12;
     Renderer renderer(device);
@@ -28,6 +29,7 @@ core::ImageRgb renderImage(gpu::Device device, const core::Scene& scene,
         context.checkpoint("Rendering", renderer.progress().fraction);
         if (!worked) break;
     }
+    if (reached != nullptr) *reached = renderer.progress();
     return readResult(device, renderer);
 }
 

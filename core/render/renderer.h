@@ -40,6 +40,9 @@ class Renderer {
     /// composite of all that is accumulated so far. Returns false when there was nothing left to do.
     bool record(gpu::CommandEncoder& encoder, double budgetSeconds);
 
+    /// False: after the first picture of a change nothing is refined, until it is true again, as it is at first.
+    void setRefining(bool refining);
+
     struct SegmentProgress {
         std::uint16_t label = 0;
         int samples = 0;            ///< completed samples per pixel
@@ -50,6 +53,7 @@ class Renderer {
         int samples = 0;  ///< completed samples per pixel, the least over all edited segments
         int target = 0;
         bool finished = false;
+        bool timeUp = false;               ///< finished by the time limit, before the target
         bool waiting = false;              ///< the last `record` changed nothing: kernels or samples are made on other
                                            ///< threads, or a new picture is being uploaded
         float fraction = 0;                ///< of all work, [0, 1]
@@ -73,9 +77,10 @@ class Renderer {
 /// The edited photograph so far, once `renderer` has recorded; waits for the device.
 [[nodiscard]] core::ImageRgb readResult(const gpu::Device& device, const Renderer& renderer);
 
-/// Renders to the end on `device` and returns the edited photograph.
+/// Renders to the end on `device` and returns the edited photograph; `reached`, if given, gets how far that was.
 [[nodiscard]] core::ImageRgb renderImage(gpu::Device device, const core::Scene& scene,
                                          const std::shared_ptr<const core::Analysis>& analysis,
-                                         const core::StepContext& context = core::StepContext());
+                                         const core::StepContext& context = core::StepContext(),
+                                         Renderer::Progress* reached = nullptr);
 
 }  // namespace render

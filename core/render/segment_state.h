@@ -102,6 +102,7 @@ struct SegmentState {
     std::uint32_t filterCursor = 0;
 
     // Outline: pixels that show the segment in part.
+    bool glossy = false;  ///< what they were found by
     PixelList silhouette;
     gpu::BindGroup silhouetteGroup;
 

@@ -50,12 +50,12 @@ core::Image<std::uint8_t> dilatedMask(const core::LabelImage& labels, std::uint1
 
 /// The picture as it would be if the edit stopped at the label: what the outline's mixed pixels were made of, undone.
 core::ImageRgb stoppedAtLabel(const core::Scene& scene, const Edit& edit, const core::ImageRgb& picture) {
-    if (scene.findSegment(edit.label)->glossy) return picture;
     std::vector<std::uint8_t> edited(std::size_t{edit.label} + 1, 0);
     edited[edit.label] = 1;
     core::ImageRgb result = picture;
     for (const core::SilhouettePixel& p :
-         core::findSilhouette(scene.photo->color, scene.photo->labels, scene.photo->depth, edit.label, edited)) {
+         core::findSilhouette(scene.photo->color, scene.photo->labels, scene.photo->depth, edit.label, edited,
+                              core::coverageFrom(scene.findSegment(edit.label)->glossy))) {
         if (scene.photo->labels(p.x, p.y) != edit.label)
             result(p.x, p.y) = scene.photo->color(p.x, p.y);
         else if (p.coverage > 0)

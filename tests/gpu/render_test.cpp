@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstring>
 
 #include "core/brdf_file.h"
@@ -249,6 +250,72 @@ TEST(Silhouette, IsTheTwinOfTheCpuVersion) {
     EXPECT_LE(different, changedOutside / 20);
     const Comparison c = compare(actual, expected, source.photo->labels, 2);
     EXPECT_GE(c.nearlyEqual, 0.97);
+}
+
+/// Slices until the renderer has nothing to do; false when it still works after `seconds`.
+bool endsWithin(render::Renderer& renderer, double seconds) {
+    const auto start = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - start < std::chrono::duration<double>(seconds)) {
+        gpu::CommandEncoder encoder = device().createCommandEncoder({});
+        const bool worked = renderer.record(encoder, 0.02);
+        device().queue().submit(encoder.finish());
+        device().waitIdle();
+        if (!worked) return true;
+    }
+    return false;
+}
+
+TEST(Renderer, ATimeLimitEndsRefinementButNotTheFirstPicture) {
+    const AnalyticScene source = stillLife();
+    core::Scene scene = edited(source, 2, ggx(0.3f), 1'000'000);
+    scene.render.filter = true;
+    scene.render.timeLimit = 0.4;
+    render::Renderer renderer(device());
+    renderer.setScene(scene, source.analysis());
+    ASSERT_TRUE(endsWithin(renderer, 60));
+    const render::Renderer::Progress limited = renderer.progress();
+    EXPECT_TRUE(limited.finished);
+    EXPECT_TRUE(limited.timeUp);
+    EXPECT_GT(limited.samples, 1);
+    EXPECT_LT(limited.samples, 1'000'000);
+
+    // Another edit has its own time; one too short for a sample has a picture all the same.
+    scene.findSegment(2)->edit->values[0] = 0.5f;
+    scene.render.timeLimit = 1e-9;
+    renderer.setScene(scene, source.analysis());
+    EXPECT_FALSE(renderer.progress().finished);
+    ASSERT_TRUE(endsWithin(renderer, 60));
+    EXPECT_EQ(renderer.progress().samples, 1);
+
+    scene.render.samples = 3;
+    scene.render.timeLimit = 3600;
+    renderer.setScene(scene, source.analysis());
+    ASSERT_TRUE(endsWithin(renderer, 60));
+    EXPECT_EQ(renderer.progress().samples, 3);
+    EXPECT_FALSE(renderer.progress().timeUp) << "the samples ended it";
+}
+
+TEST(Renderer, PausedItShowsTheFirstPictureAndGoesOnWhereItWas) {
+    const AnalyticScene source = stillLife();
+    core::Scene scene = edited(source, 2, ggx(0.3f), 40);
+    render::Renderer renderer(device());
+    renderer.setScene(scene, source.analysis());
+    renderer.setRefining(false);
+    ASSERT_TRUE(endsWithin(renderer, 60));
+    const int first = renderer.progress().samples;
+    EXPECT_GE(first, 1);
+    EXPECT_LT(first, 40);
+    EXPECT_FALSE(renderer.progress().finished);
+    ASSERT_TRUE(endsWithin(renderer, 60));
+    EXPECT_EQ(renderer.progress().samples, first) << "the device rests";
+    renderer.setRefining(true);
+    ASSERT_TRUE(endsWithin(renderer, 60));
+    EXPECT_EQ(renderer.progress().samples, 40);
+    EXPECT_TRUE(renderer.progress().finished);
+    EXPECT_FALSE(renderer.progress().timeUp);
+    const core::ImageRgb paused = render::readResult(device(), renderer);
+    const core::ImageRgb atOnce = render::renderImage(device(), scene, source.analysis());
+    EXPECT_EQ(std::memcmp(paused.pixels().data(), atOnce.pixels().data(), paused.size() * sizeof(core::Vector3f)), 0);
 }
 
 TEST(Filter, IsTheTwinOfTheCpuFilter) {

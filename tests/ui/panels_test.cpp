@@ -210,6 +210,27 @@ TEST_F(Panels, ABrdfByTheUserHasItsSlidersAndFollowsItsFile) {
     EXPECT_EQ(segment(2).edit->brdfFile, usable);
 }
 
+TEST_F(Panels, AFileThatIsMissingIsUsedWhenItComes) {
+    const test::TempFolder folder;
+    const std::string path = folder / "late.brdf.glsl";
+    ui::MaterialPanel panel(workspace_);
+    open();
+    workspace_.select(2);
+    workspace_.editSelected("Edit", [&](core::Segment& segment) {
+        segment.edit = core::fileMaterial(core::loadBrdfFileOrProblem(path, {"gloss"}));
+        segment.edit->values[0] = 0.75f;
+    });
+    auto* label = test::child<QLabel>(panel, "materialFile");
+    EXPECT_TRUE(label->text().startsWith("Shown as photographed"));
+    EXPECT_FALSE(core::usable(*segment(2).edit));
+    test::writeBytes(folder / "other.brdf.glsl", test::kMattBrdf);
+
+    test::writeBytes(path, std::string("uniform float gloss = 0.25;  // 0 to 1\n") + test::kMattBrdf);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return core::usable(*segment(2).edit); }, 5000));
+    EXPECT_EQ(label->text(), "late.brdf.glsl");
+    EXPECT_EQ(segment(2).edit->values[0], 0.75f) << "what the project said";
+}
+
 TEST_F(Panels, AMetalSetsIndexAndExtinction) {
     ui::MaterialPanel panel(workspace_);
     open();

@@ -83,7 +83,13 @@ TEST_F(ProjectTest, SavedProjectLoadsAsTheSameScene) {
     scene.segments[1].edit = core::materialFromJson(
         R"({"brdf":"none","translucency":{"preset":"marble","eta":1.5,"scale":2,"weight":0.5}})");
     scene.depthFilter = {false, false, 1.5f, 0.2f, 0.02f, 5};
-    scene.render = {17, 4000000000U, 3, false, 1234, 56};
+    scene.render = {.samples = 17,
+                    .timeLimit = 2.5,
+                    .seed = 4000000000U,
+                    .bounces = 3,
+                    .filter = false,
+                    .surfaceSamples = 1234,
+                    .irradianceSamples = 56};
     scene.environment.rotation = 0.5f;
     scene.environment.scale = 2;
     scene.environment.height = 64;

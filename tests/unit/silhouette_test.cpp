@@ -52,7 +52,7 @@ ImageRgb edited(const Photograph& p, const Radiance& material, bool corrected) {
             if (p.labels(x, y) == 2)
                 result(x, y) = material(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
     if (!corrected) return result;
-    for (const SilhouettePixel& s : findSilhouette(p.color, p.labels, p.depth, 2, {0, 0, 1}))
+    for (const SilhouettePixel& s : findSilhouette(p.color, p.labels, p.depth, 2, {0, 0, 1}, CoverageFrom::Colors))
         result(s.x, s.y) = s.coverage * result(s.sourceX, s.sourceY) + s.kept;
     return result;
 }
@@ -87,13 +87,41 @@ TEST(Silhouette, NoFringeOfTheOldMaterialOrTheBackgroundRemains) {
 
 TEST(Silhouette, FindsTheCoverage) {
     const Photograph p = photograph(20.4f, kGold, kTable);
-    for (const SilhouettePixel& s : findSilhouette(p.color, p.labels, p.depth, 2, {0, 0, 1}))
+    for (const SilhouettePixel& s : findSilhouette(p.color, p.labels, p.depth, 2, {0, 0, 1}, CoverageFrom::Colors))
         EXPECT_NEAR(s.coverage, p.coverage(s.x, s.y), 0.08f) << s.x << " " << s.y;
+}
+
+TEST(Silhouette, LabelsTellTheCoverageWhereColoursDoNot) {
+    // A mirror: its rim shows the background.
+    const auto mirror = [](float x, float y) -> Vector3f {
+        const float r = std::hypot(x - 31.3f, y - 32.6f);
+        return r > 17 ? kTable(x, y) : Vector3f(3, 2, 1) * (0.3f + 0.03f * y);
+    };
+    for (const float radius : {9.3f, 20.4f}) {
+        const Photograph p = photograph(radius, mirror, kTable);
+        double squares = 0;
+        double ofTheLabel = 0;
+        int mixed = 0;
+        ImageF found(kPictureSize, kPictureSize);
+        for (int y = 0; y < kPictureSize; ++y)
+            for (int x = 0; x < kPictureSize; ++x) found(x, y) = p.labels(x, y) == 2 ? 1.0f : 0.0f;
+        const ImageF label = found;
+        for (const SilhouettePixel& s : findSilhouette(p.color, p.labels, p.depth, 2, {0, 0, 1}, CoverageFrom::Labels))
+            found(s.x, s.y) = s.coverage;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            if (p.coverage[i] <= 0 || p.coverage[i] >= 1) continue;
+            squares += std::pow(found[i] - p.coverage[i], 2);
+            ofTheLabel += std::pow(label[i] - p.coverage[i], 2);
+            ++mixed;
+        }
+        EXPECT_LT(std::sqrt(squares / mixed), 0.12) << radius;
+        EXPECT_GT(std::sqrt(ofTheLabel / mixed), 0.25) << "the test must be able to fail";
+    }
 }
 
 TEST(Silhouette, BelievesTheLabelWhereColoursDoNotTell) {
     const Photograph p = photograph(20.4f, kGold, kGold);
-    EXPECT_TRUE(findSilhouette(p.color, p.labels, p.depth, 2, {0, 0, 1}).empty());
+    EXPECT_TRUE(findSilhouette(p.color, p.labels, p.depth, 2, {0, 0, 1}, CoverageFrom::Colors).empty());
 }
 
 TEST(Silhouette, KeepsEverythingElse) {
@@ -110,7 +138,7 @@ TEST(Silhouette, KeepsEverythingElse) {
 
 TEST(Silhouette, AllOfThePhotographIsThePhotograph) {
     const Photograph p = photograph(20.4f, kGold, kTable);
-    for (const SilhouettePixel& s : findSilhouette(p.color, p.labels, p.depth, 2, {0, 0, 1})) {
+    for (const SilhouettePixel& s : findSilhouette(p.color, p.labels, p.depth, 2, {0, 0, 1}, CoverageFrom::Colors)) {
         const Vector3f shown = p.color(s.sourceX, s.sourceY);  // new weight 0, old weight 1
         EXPECT_NEAR((s.coverage * shown + s.kept + s.keptOriginal - p.color(s.x, s.y)).norm(), 0, 0.01) << s.x;
     }
@@ -118,12 +146,15 @@ TEST(Silhouette, AllOfThePhotographIsThePhotograph) {
 
 TEST(Silhouette, LeavesOtherEditedSegmentsAndThinOrEmptyOnesAlone) {
     const Photograph p = photograph(20.4f, kGold, kTable);
-    for (const SilhouettePixel& s : findSilhouette(p.color, p.labels, p.depth, 2, {0, 1, 1}))
+    for (const SilhouettePixel& s : findSilhouette(p.color, p.labels, p.depth, 2, {0, 1, 1}, CoverageFrom::Colors))
         EXPECT_EQ(p.labels(s.x, s.y), 2);
     const Photograph thin = photograph(1.2f, kGold, kTable);
-    EXPECT_TRUE(findSilhouette(thin.color, thin.labels, thin.depth, 2, {0, 0, 1}).empty()) << "no clean inside";
-    EXPECT_TRUE(findSilhouette(p.color, p.labels, ImageF(kPictureSize, kPictureSize, 0.0f), 2, {0, 0, 1}).empty());
-    EXPECT_TRUE(findSilhouette(p.color, p.labels, p.depth, 7, {0, 0, 1}).empty());
+    EXPECT_TRUE(findSilhouette(thin.color, thin.labels, thin.depth, 2, {0, 0, 1}, CoverageFrom::Colors).empty())
+        << "no clean inside";
+    EXPECT_TRUE(
+        findSilhouette(p.color, p.labels, ImageF(kPictureSize, kPictureSize, 0.0f), 2, {0, 0, 1}, CoverageFrom::Colors)
+            .empty());
+    EXPECT_TRUE(findSilhouette(p.color, p.labels, p.depth, 7, {0, 0, 1}, CoverageFrom::Colors).empty());
 }
 
 }  // namespace

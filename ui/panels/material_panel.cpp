@@ -111,9 +111,11 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : Panel(work
         if (!path.isEmpty()) loadBrdf(path);
         refresh();
     });
-    connect(watcher_, &QFileSystemWatcher::fileChanged, this, [this](const QString& path) {
-        changed_.insert(path.toStdString());
-        QTimer::singleShot(kReloadDelayMs, this, &MaterialPanel::reloadChanged);
+    connect(watcher_, &QFileSystemWatcher::fileChanged, this, &MaterialPanel::reloadSoon);
+    connect(watcher_, &QFileSystemWatcher::directoryChanged, this, [this] {
+        const QStringList known = watcher_->files();
+        for (const QString& path : brdfFiles())
+            if (!known.contains(path) && QFileInfo::exists(path)) reloadSoon(path);
     });
     connect(&workspace, &Workspace::documentReplaced, this, [this] { fileProblem_.clear(); });
     connect(&workspace, &Workspace::sceneChanged, this, &MaterialPanel::watchFiles);
@@ -475,15 +477,33 @@ void MaterialPanel::loadBrdf(const QString& path) {
         [this](const QString& sentence) { emit error(sentence); });
 }
 
+QStringList MaterialPanel::brdfFiles() const {
+    QStringList files;
+    for (const core::Segment& segment : workspace().scene().segments) {
+        if (!segment.edit || !segment.edit->brdfFile) continue;
+        const QString path = QString::fromStdString(segment.edit->brdfFile->path);
+        if (!files.contains(path)) files << path;
+    }
+    return files;
+}
+
 void MaterialPanel::watchFiles() {
     QStringList wanted;
-    for (const core::Segment& segment : workspace().scene().segments)
-        if (segment.edit && segment.edit->brdfFile) wanted << QString::fromStdString(segment.edit->brdfFile->path);
-    const QStringList watched = watcher_->files();
+    for (const QString& path : brdfFiles()) {
+        // Of a file that is not there its folder tells when it comes.
+        const QString watched = QFileInfo::exists(path) ? path : QFileInfo(path).absolutePath();
+        if (!wanted.contains(watched)) wanted << watched;
+    }
+    const QStringList watched = watcher_->files() + watcher_->directories();
     for (const QString& path : watched)
         if (!wanted.contains(path)) watcher_->removePath(path);
     for (const QString& path : wanted)
         if (!watched.contains(path)) watcher_->addPath(path);
+}
+
+void MaterialPanel::reloadSoon(const QString& path) {
+    changed_.insert(path.toStdString());
+    QTimer::singleShot(kReloadDelayMs, this, &MaterialPanel::reloadChanged);
 }
 
 void MaterialPanel::reloadChanged() {

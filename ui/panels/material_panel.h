@@ -46,8 +46,11 @@ class MaterialPanel : public Panel {
     /// Replaces the BRDF's sliders when another BRDF is shown.
     void rebuildParams(const core::Material& material);
     void refresh();
-    /// Watches the files of the scene's BRDFs.
+    /// The files of the scene's BRDFs.
+    [[nodiscard]] QStringList brdfFiles() const;
+    /// Watches them, also those that are not there yet.
     void watchFiles();
+    void reloadSoon(const QString& path);
     /// Reads files that changed on disk again; one that cannot be used any more keeps its last state.
     void reloadChanged();
     using Loaded = std::function<void(const std::shared_ptr<const core::BrdfFile>&)>;

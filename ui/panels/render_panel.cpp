@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -18,6 +19,12 @@ namespace ui {
 RenderPanel::RenderPanel(Workspace& workspace, QWidget* parent) : Panel(workspace, parent) {
     samples_ = addNumber("renderSamples", tr("Samples"), tr("Light paths per pixel at which the picture is finished"),
                          1, 65536, [](core::Scene& s, int v) { s.render.samples = v; });
+    timeLimit_ = addNumber("renderTimeLimit", tr("Time limit"),
+                           tr("Seconds after which the view is not refined any more; pictures that are exported have "
+                              "all samples"),
+                           0, 3600, [](core::Scene& s, int v) { s.render.timeLimit = v; });
+    timeLimit_->setSpecialValueText(tr("None"));
+    timeLimit_->setSuffix(tr(" s"));
     bounces_ = addNumber("renderBounces", tr("Bounces"),
                          tr("Surfaces a light path may visit; 1 lets folds mirror an object's old colour"), 1, 64,
                          [](core::Scene& s, int v) { s.render.bounces = v; });
@@ -98,6 +105,7 @@ RenderPanel::RenderPanel(Workspace& workspace, QWidget* parent) : Panel(workspac
     auto* picture = new QGroupBox(tr("Picture"), this);
     auto* pictureForm = new QFormLayout(picture);
     pictureForm->addRow(tr("Samples"), samples_);
+    pictureForm->addRow(tr("Time limit"), timeLimit_);
     pictureForm->addRow(tr("Bounces"), bounces_);
     pictureForm->addRow(tr("Seed"), seed_);
     pictureForm->addRow(filter_);
@@ -150,6 +158,7 @@ void RenderPanel::refresh() {
         box->setValue(value);
     };
     show(samples_, render.samples);
+    show(timeLimit_, static_cast<int>(std::lround(render.timeLimit)));
     show(bounces_, render.bounces);
     show(seed_, static_cast<int>(std::min(render.seed, std::uint32_t{std::numeric_limits<int>::max()})));
     show(surfaceSamples_, render.surfaceSamples);

@@ -23,6 +23,7 @@ class RenderPanel : public Panel {
                         std::function<void(core::Scene&, int)> set);
 
     QSpinBox* samples_ = nullptr;
+    QSpinBox* timeLimit_ = nullptr;
     QSpinBox* bounces_ = nullptr;
     QSpinBox* seed_ = nullptr;
     QSpinBox* surfaceSamples_ = nullptr;
