@@ -5,7 +5,12 @@
 #include <tbb/parallel_for.h>
 
 #include <atomic>
+#include <future>
+#include <memory>
 #include <string_view>
+#include <thread>
+#include <type_traits>
+#include <utility>
 
 #include "core/step_context.h"
 
@@ -25,6 +30,17 @@ void parallelFor(const StepContext& context, std::string_view step, int count, c
             body(i);
         }
     });
+}
+
+/// Runs `work`, which owns all that it uses, on a thread of its own. What it returns or throws comes with the future;
+/// unlike that of std::async, dropping the future does not wait.
+template <class Work>
+[[nodiscard]] auto inBackground(Work work) {
+    using Result = std::invoke_result_t<Work&>;
+    const auto task = std::make_shared<std::packaged_task<Result()>>(std::move(work));
+    std::future<Result> result = task->get_future();
+    std::thread([task] { (*task)(); }).detach();
+    return result;
 }
 
 }  // namespace core

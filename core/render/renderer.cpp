@@ -100,7 +100,7 @@ void Renderer::Impl::setScene(const core::Scene& next, std::shared_ptr<const cor
     for (std::size_t i = 0; !resultStale && i < kept.size(); ++i) resultStale = kept[i].label != segments[i].label;
     segments = std::move(kept);
     if (!resultStale) return;
-    for (SegmentState& state : segments) state.silhouette = {};  // who borders on whom
+    for (SegmentState& state : segments) state.pixelsStale = true;  // who borders on whom
 }
 
 void Renderer::Impl::updateSegment(SegmentState& state, const core::Segment& segment) {
@@ -217,7 +217,8 @@ bool Renderer::Impl::record(gpu::CommandEncoder& encoder, double budgetSeconds) 
     timer.collect();
     const double patience = std::min(budgetSeconds, kBackgroundWait);
     const bool layers = layersReady(budgetSeconds);
-    waiting = !kernelsReady(layers ? patience : 0) || !layers;
+    const bool pixels = pixelsReady(layers ? patience : 0);
+    waiting = !kernelsReady(layers && pixels ? patience : 0) || !layers || !pixels;
     if (waiting) {
         if (layers) keepPicture(encoder);
         return true;

@@ -34,8 +34,9 @@ inline std::uint32_t positive(int value) { return static_cast<std::uint32_t>(std
 /// What a slice can advance.
 enum class Task { None, Reshade, Filter, Irradiance, Gather };
 
-/// The renderer's state, and what it does by part: renderer.cpp what to do next, renderer_uploads.cpp what the device has to
-/// hold for it, renderer_slices.cpp re-shading, filter and composite, renderer_translucency.cpp light below surfaces.
+/// The renderer's state, and what it does by part: renderer.cpp what to do next, renderer_uploads.cpp what the device
+/// has to hold for it, renderer_slices.cpp re-shading, filter and composite, renderer_translucency.cpp light below
+/// surfaces.
 struct Renderer::Impl {
     Impl(gpu::Device d, core::LightSampling sampling)
         : lightSampling(sampling),
@@ -107,8 +108,8 @@ struct Renderer::Impl {
     [[nodiscard]] bool layersReady(double seconds);
     void upload();
     void prepareTargets();
-    void preparePixels(SegmentState& state);
-    void prepareSilhouette(SegmentState& state);
+    [[nodiscard]] bool pixelsReady(double seconds);
+    void uploadPixels(SegmentState& state, const SegmentPixels& found);
     void prepareTranslucency(SegmentState& state);
     void prepareGather(const gpu::CommandEncoder& encoder, SegmentState& state);
 

@@ -7,7 +7,7 @@
 namespace render {
 namespace {
 
-constexpr double kFilterGuess = 1e-5;     // [s], as kPathGuess: one pixel in one step of the filter
+constexpr double kFilterGuess = 1e-5;  // [s], as kPathGuess: one pixel in one step of the filter
 
 constexpr std::uint32_t kMaxPathsPerDispatch = 16;  // per pixel: bounds what one invocation may take
 

@@ -3,6 +3,7 @@
 #include <future>
 #include <iterator>
 
+#include "core/parallel.h"
 #include "core/render/renderer_impl.h"
 #include "core/translucency.h"
 #include "shaders/shared/rng.h"
@@ -10,7 +11,7 @@
 namespace render {
 namespace {
 
-constexpr double kAccessGuess = 1e-8;     // [s], as kPathGuess: one access to the grids of light below a surface
+constexpr double kAccessGuess = 1e-8;  // [s], as kPathGuess: one access to the grids of light below a surface
 
 // What starting this kernel costs a software driver is as much as these paths; smaller slices would mean only that.
 constexpr std::uint64_t kMinIrradiancePaths = 4096;
@@ -34,8 +35,8 @@ void Renderer::Impl::prepareTranslucency(SegmentState& state) {
     if (state.pointsStale && !state.pendingPoints.valid()) {
         state.pointsStale = false;
         state.points = {};
-        state.pendingPoints = std::async(
-            std::launch::async, [photo = scene.photo, from = analysis, label = state.label, params = scene.render] {
+        state.pendingPoints =
+            core::inBackground([photo = scene.photo, from = analysis, label = state.label, params = scene.render] {
                 return makeSurfaceGrids(*photo, *from, label, params);
             });
     }

@@ -1,33 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the device has to hold before a slice can be recorded.
-#include <array>
 #include <thread>
 
+#include "core/parallel.h"
 #include "core/reference_renderer.h"
 #include "core/render/renderer_impl.h"
-#include "core/silhouette.h"
 
 namespace render {
 namespace {
-
-// Order of the pixels in a sweep: an ordered dither, so that a part of a sweep shows the change all over the segment.
-constexpr int kSweepStep = 4;
-constexpr std::array<std::pair<int, int>, kSweepStep * kSweepStep> kSweepOrder{{{0, 0},
-                                                                                {2, 2},
-                                                                                {2, 0},
-                                                                                {0, 2},
-                                                                                {1, 1},
-                                                                                {3, 3},
-                                                                                {3, 1},
-                                                                                {1, 3},
-                                                                                {1, 0},
-                                                                                {3, 2},
-                                                                                {3, 0},
-                                                                                {1, 2},
-                                                                                {0, 1},
-                                                                                {2, 3},
-                                                                                {2, 1},
-                                                                                {0, 3}}};
 
 gpu::Texture makeTarget(const gpu::Device& device, const char* label, std::uint32_t width, std::uint32_t height,
                         gpu::TextureFormat format = gpu::TextureFormat::RGBA32Float) {
@@ -102,14 +82,12 @@ void Renderer::Impl::upload() {
     paths.measured = measured.buffer(device);
     prepareTargets();
     for (SegmentState& state : segments) {
-        if (!state.pixels.buffer) preparePixels(state);
         if (!state.reshadeGroup) state.reshadeGroup = reshade.bind(paths, state.pixels, targets);
         if (state.translucent()) prepareTranslucency(state);
         if (scene.render.filter && !state.filterBound) {
             state.filterGroups = filter.bind(state.pixels, targets);
             state.filterBound = true;
         }
-        if (!state.silhouette.buffer) prepareSilhouette(state);
         if (!state.silhouetteGroup) state.silhouetteGroup = silhouette.bind(paths, state.silhouette, targets);
         if (!state.compositeGroup) state.compositeGroup = composite.bind(paths, state.pixels, targets);
     }
@@ -149,27 +127,36 @@ void Renderer::Impl::prepareTargets() {
     }
 }
 
-void Renderer::Impl::preparePixels(SegmentState& state) {
-    const core::LabelImage& labels = scene.photo->labels;
-    const core::ImageF& depth = analysis->front->depth;
-    std::vector<std::uint32_t> pixels;
-    for (const auto& [x0, y0] : kSweepOrder)
-        for (int y = y0; y < labels.height(); y += kSweepStep)
-            for (int x = x0; x < labels.width(); x += kSweepStep)
-                if (labels(x, y) == state.label && depth(x, y) > 0) {
-                    pixels.push_back(static_cast<std::uint32_t>(x) | static_cast<std::uint32_t>(y) << 16);
-                    state.pixels.bounds.include(x, y);
-                }
-    state.pixels.count = static_cast<std::uint32_t>(pixels.size());
-    state.pixels.buffer =
-        makeBuffer(device, "pixels of segment " + std::to_string(state.label), gpu::BufferUsage::Storage, pixels);
+/// Goes on finding the pixels of segments, after waiting a little for them; true when all are on the device.
+bool Renderer::Impl::pixelsReady(double seconds) {
+    bool ready = true;
+    for (SegmentState& state : segments) {
+        if (state.pixelsStale && !state.pendingPixels.valid()) {
+            state.pixelsStale = false;
+            state.pendingPixels = core::inBackground([photo = scene.photo, front = analysis->front, label = state.label,
+                                                      edited = core::editedLabels(shading), glossy = state.glossy] {
+                return findSegmentPixels(*photo, front->depth, label, edited, core::coverageFrom(glossy));
+            });
+        }
+        if (!state.pendingPixels.valid()) continue;
+        const std::chrono::duration<double> patience(ready ? seconds : 0);
+        if (state.pendingPixels.wait_for(patience) == std::future_status::ready)
+            uploadPixels(state, state.pendingPixels.get());
+        ready = ready && !state.pendingPixels.valid() && !state.pixelsStale;
+    }
+    return ready;
 }
 
-void Renderer::Impl::prepareSilhouette(SegmentState& state) {
-    state.silhouette = silhouette.upload(core::findSilhouette(
-        scene.photo->color, scene.photo->labels, analysis->front->depth, state.label, core::editedLabels(shading),
-        core::coverageFrom(state.glossy)));
+void Renderer::Impl::uploadPixels(SegmentState& state, const SegmentPixels& found) {
+    if (!state.pixels.buffer) {
+        state.pixels = {.buffer = makeBuffer(device, "pixels of segment " + std::to_string(state.label),
+                                             gpu::BufferUsage::Storage, found.list),
+                        .count = static_cast<std::uint32_t>(found.list.size()),
+                        .bounds = found.bounds};
+    }
+    state.silhouette = silhouette.upload(found.outline);
     state.silhouetteGroup = {};
+    state.compositeStale = true;
 }
 
 /// Until the kernels of the edits are compiled, the picture stays, or is the photograph when there is none.

@@ -2,11 +2,31 @@
 #include "core/render/segment_state.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 namespace render {
 namespace {
+
+// Order of the pixels in a sweep: an ordered dither, so that a part of a sweep shows the change all over the segment.
+constexpr int kSweepStep = 4;
+constexpr std::array<std::pair<int, int>, kSweepStep * kSweepStep> kSweepOrder{{{0, 0},
+                                                                                {2, 2},
+                                                                                {2, 0},
+                                                                                {0, 2},
+                                                                                {1, 1},
+                                                                                {3, 3},
+                                                                                {3, 1},
+                                                                                {1, 3},
+                                                                                {1, 0},
+                                                                                {3, 2},
+                                                                                {3, 0},
+                                                                                {1, 2},
+                                                                                {0, 1},
+                                                                                {2, 3},
+                                                                                {2, 1},
+                                                                                {0, 3}}};
 
 bool equal(const kernel::vec4& a, const kernel::vec4& b) {
     return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
@@ -78,6 +98,21 @@ void SegmentState::restartLight() {
     litPoints = litRays = gridPoints = 0;
     diffusionFresh = true;
     restartGather();
+}
+
+SegmentPixels findSegmentPixels(const core::Photo& photo, const core::ImageF& depth, std::uint16_t label,
+                                const std::vector<std::uint8_t>& edited, core::CoverageFrom from) {
+    const core::LabelImage& labels = photo.labels;
+    SegmentPixels found;
+    for (const auto& [x0, y0] : kSweepOrder)
+        for (int y = y0; y < labels.height(); y += kSweepStep)
+            for (int x = x0; x < labels.width(); x += kSweepStep)
+                if (labels(x, y) == label && depth(x, y) > 0) {
+                    found.list.push_back(static_cast<std::uint32_t>(x) | static_cast<std::uint32_t>(y) << 16);
+                    found.bounds.include(x, y);
+                }
+    found.outline = core::findSilhouette(photo.color, labels, depth, label, edited, from);
+    return found;
 }
 
 SurfaceGrids makeSurfaceGrids(const core::Photo& photo, const core::Analysis& analysis, std::uint16_t label,

@@ -13,6 +13,7 @@
 #include "core/render/passes/filter_pass.h"
 #include "core/render/passes/segment_targets.h"
 #include "core/render/passes/translucency_pass.h"
+#include "core/silhouette.h"
 #include "shaders/shared/path.h"
 
 namespace render {
@@ -49,6 +50,16 @@ struct SurfaceGrids {
 [[nodiscard]] SurfaceGrids makeSurfaceGrids(const core::Photo& photo, const core::Analysis& analysis,
                                             std::uint16_t label, const core::RenderParams& params);
 
+/// What has to be found of a segment before its first slice.
+struct SegmentPixels {
+    std::vector<std::uint32_t> list;  ///< x | y << 16, in the order of a sweep
+    PixelBounds bounds;
+    std::vector<core::SilhouettePixel> outline;
+};
+/// `edited`: as core::findSilhouette.
+[[nodiscard]] SegmentPixels findSegmentPixels(const core::Photo& photo, const core::ImageF& depth, std::uint16_t label,
+                                              const std::vector<std::uint8_t>& edited, core::CoverageFrom from);
+
 /// Part of a pixel list.
 struct PixelRange {
     std::uint32_t first = 0;
@@ -59,6 +70,10 @@ struct PixelRange {
 struct SegmentState {
     std::uint16_t label = 0;
     core::Material material;
+
+    // Found on another thread.
+    bool pixelsStale = true;
+    std::future<SegmentPixels> pendingPixels;  ///< valid while that lasts
     PixelList pixels;
 
     // Re-shading: whole sweeps over the pixels, and a partial one.
