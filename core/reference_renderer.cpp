@@ -175,6 +175,25 @@ kernel::vec3 ReferenceRenderer::leave(const Vertex& vertex, const Path& path, st
     return weight;
 }
 
+Eigen::Vector2i ReferenceRenderer::shownPixel(const MarchHit& hit, kernel::vec3 p, kernel::vec2 u) const {
+    const Camera& camera = layers_->camera;
+    const auto along = [](float position, float chance, int own, int size) {
+        const int q = static_cast<int>(std::floor(position + chance - 0.5f));
+        return std::clamp(q, std::max(own - 1, 0), std::min(own + 1, size - 1));
+    };
+    const int x = along(camera.fx * p.x / p.z + camera.cx, u.x, hit.x, camera.width);
+    const int y = along(camera.fy * p.y / p.z + camera.cy, u.y, hit.y, camera.height);
+    const Image<DepthLayers::Patch>& patches = hit.back ? layers_->back : layers_->front;
+    const auto patch = [&](int px, int py) {
+        const DepthLayers::Patch& at = patches(px, py);
+        return kernel::vec3(at.w, at.gu, at.gv);
+    };
+    const kernel::vec2 away(static_cast<float>(x - hit.x), static_cast<float>(y - hit.y));
+    const bool same = layers_->labels(x, y) == layers_->labels(hit.x, hit.y);
+    return same && kernel::surface_goes_on(patch(hit.x, hit.y), patch(x, y), away) ? Eigen::Vector2i(x, y)
+                                                                                   : Eigen::Vector2i(hit.x, hit.y);
+}
+
 Vector3f ReferenceRenderer::follow(Vertex vertex, const Path& path) const {
     kernel::vec3 radiance(0.0f);
     kernel::vec3 throughput(1.0f);
@@ -189,17 +208,19 @@ Vector3f ReferenceRenderer::follow(Vertex vertex, const Path& path) const {
             radiance += throughput * toKernel(environment(direction));
             break;
         }
+        vertex.p = origin + direction * hit->distance;
+        const Eigen::Vector2i shown =
+            shownPixel(*hit, vertex.p, kernel::rng_hit(path.pixel, path.sample, b, path.seed));
         const Surface& layer = hit->back ? *analysis_->back : *analysis_->front;
-        const kernel::vec3 color = toKernel(layer.color(hit->x, hit->y));
-        const kernel::vec3 normal = toKernel(layer.normal(hit->x, hit->y));
-        const kernel::SegmentShading shading = shadingAt(hit->x, hit->y);
+        const kernel::vec3 color = toKernel(layer.color(shown.x(), shown.y()));
+        const kernel::vec3 normal = toKernel(layer.normal(shown.x(), shown.y()));
+        const kernel::SegmentShading shading = shadingAt(shown.x(), shown.y());
         if (shading.blend.w == 0 || b + 1 == bounces || kernel::dot(normal, normal) == 0) {
             radiance += throughput * color;
             break;
         }
         radiance += throughput * color * shading.blend.y;
         throughput *= shading.blend.x;
-        vertex.p = origin + direction * hit->distance;
         vertex.wo = -direction;
         vertex.n = kernel::shading_normal(normal, vertex.wo);
         vertex.shading = shading;

@@ -11,6 +11,7 @@
 #include "core/diffusion_profile.h"
 #include "core/drives.h"
 #include "core/environment_sampler.h"
+#include "core/march.h"
 #include "core/scene.h"
 #include "core/step_context.h"
 #include "core/translucency.h"
@@ -34,11 +35,12 @@ namespace core {
 //     T *= weight;                                                 if T == 0: end
 //     o  = p + n · marchBias(camera, p.z)
 //     march(o, d);  miss: L += T · environment(d), end             (no environment: black)
-//     c  = colour of the hit pixel, of the layer that was entered;  S = shading[label of the hit pixel], with that
-//          pixel's values of driven parameters (shaders/shared/drive.h)
+//     q  = shownPixel of the hit by rng_hit(pixel id, s, b, seed): one of the four pixels around it
+//     c  = colour of q, of the layer that was entered;  S = shading[label of q], with that pixel's values of driven
+//          parameters (shaders/shared/drive.h)
 //     if S.blend.w == 0 or b == N-1 or the layer's normal there is zero: L += T · c, end
 //     L += T · S.blend.y · c;  T *= S.blend.x
-//     p  = o + d · distance;  n = the layer's normal at the hit pixel;  wo = -d
+//     p  = o + d · distance;  n = the layer's normal at q;  wo = -d
 //
 // The picture: pixel id = y · width + x, seed = RenderParams::seed, start at the pixel's front position and normal with
 // wo = -p/|p|, in every pixel of an edited segment with valid depth; the mean over s is the re-shaded radiance. Pixels
@@ -117,6 +119,9 @@ class ReferenceRenderer {
     [[nodiscard]] kernel::vec3 leave(const Vertex& vertex, const Path& path, std::uint32_t b,
                                      kernel::vec3& direction) const;
     [[nodiscard]] Vector3f environment(kernel::vec3 direction) const;
+    /// The pixel whose colour and normal stand for a hit at `p`: one of the four around it, by chance as often as
+    /// bilinear interpolation would weigh it, where the surface goes on there.
+    [[nodiscard]] Eigen::Vector2i shownPixel(const MarchHit& hit, kernel::vec3 p, kernel::vec2 u) const;
     /// Of the front layer at `offset` [px] from a pixel's centre, not of unit length.
     [[nodiscard]] kernel::vec3 normalAt(int x, int y, kernel::vec2 offset) const;
     [[nodiscard]] const kernel::SegmentShading& shadingOf(std::uint16_t label) const;

@@ -9,6 +9,7 @@
 #include "shaders/lib/march.glsl"
 #include "shaders/shared/path.h"
 #include "shaders/shared/rng.h"
+#include "shaders/shared/shading_point.h"
 
 // Whether any segment has drives: what is not needed is not compiled.
 layout(constant_id = 1) const uint kDriven = 1u;
@@ -80,6 +81,22 @@ vec3 leave(PathVertex v, PathId id, uint b, out vec3 direction, out vec4 light) 
     return weight;
 }
 
+// The pixel whose colour and normal stand for a hit at p: one of the four around it, by chance as often as bilinear
+// interpolation would weigh it, where the surface goes on there.
+ivec2 shownPixel(MarchHit hit, vec3 p, vec2 u) {
+    vec2 uv = geometry.camera.xy * p.xy / p.z + geometry.camera.zw;
+    ivec2 q = clamp(ivec2(floor(uv + u - 0.5)), ivec2(0), ivec2(geometry.width, geometry.height) - 1);
+    q = clamp(q, hit.pixel - 1, hit.pixel + 1);
+    vec4 own = texelFetch(frontPatchMap, hit.pixel, 0);
+    vec4 next = texelFetch(frontPatchMap, q, 0);
+    bool same = next.w == own.w;
+    if (hit.back) {
+        own = texelFetch(backPatchMap, hit.pixel, 0);
+        next = texelFetch(backPatchMap, q, 0);
+    }
+    return same && surface_goes_on(own.xyz, next.xyz, vec2(q - hit.pixel)) ? q : hit.pixel;
+}
+
 // Radiance that leaves `v` towards v.wo along one path of up to `bounces` surfaces.
 vec3 pathRadiance(PathVertex v, PathId id, uint bounces) {
     vec3 radiance = vec3(0.0);
@@ -96,10 +113,11 @@ vec3 pathRadiance(PathVertex v, PathId id, uint bounces) {
             radiance += throughput * light.rgb;
             break;
         }
-        vec3 color = hit.back ? texelFetch(backColorMap, hit.pixel, 0).rgb : texelFetch(frontColorMap, hit.pixel, 0).rgb;
-        vec3 normal = hit.back ? texelFetch(backNormalMap, hit.pixel, 0).xyz : texelFetch(frontNormalMap, hit.pixel, 0).xyz;
-        v.label = uint(texelFetch(frontPatchMap, hit.pixel, 0).w);
-        v.pixel = hit.pixel;
+        v.p = origin + direction * hit.distance;
+        v.pixel = shownPixel(hit, v.p, rng_hit(id.pixel, id.sampleIndex, b, id.seed));
+        vec3 color = hit.back ? texelFetch(backColorMap, v.pixel, 0).rgb : texelFetch(frontColorMap, v.pixel, 0).rgb;
+        vec3 normal = hit.back ? texelFetch(backNormalMap, v.pixel, 0).xyz : texelFetch(frontNormalMap, v.pixel, 0).xyz;
+        v.label = uint(texelFetch(frontPatchMap, v.pixel, 0).w);
         vec4 blend = shading[v.label].blend;
         if (kDriven != 0u && blend.w != 0.0) blend = shadingAt(v.label, v.pixel).blend;
         if (blend.w == 0.0 || b + 1u >= bounces || dot(normal, normal) == 0.0) {
@@ -108,7 +126,6 @@ vec3 pathRadiance(PathVertex v, PathId id, uint bounces) {
         }
         radiance += throughput * color * blend.y;
         throughput *= blend.x;
-        v.p = origin + direction * hit.distance;
         v.wo = -direction;
         v.n = shading_normal(normal, v.wo);
         v.role = kPathLater;

@@ -69,6 +69,12 @@ KERNEL_FN vec3 rng_light(uint pixel, uint sampleIndex, uint b, uint seed) {
                 rng_to_float(h.z + step * 2654435769u));
 }
 
+/// Which of the four pixels around a path's hit number b stands for it.
+KERNEL_FN vec2 rng_hit(uint pixel, uint sampleIndex, uint b, uint seed) {
+    uvec4 h = rng_hash(uvec4(pixel, sampleIndex, 0xc0000000u + b, seed));
+    return vec2(rng_to_float(h.x), rng_to_float(h.y));
+}
+
 /// Seed of a separate sequence (a segment's surface samples), unrelated to that of other streams and of the picture.
 KERNEL_FN uint rng_stream(uint seed, uint stream) { return rng_hash(uvec4(seed, stream, 0x5bd1e995u, 0x9e3779b9u)).x; }
 

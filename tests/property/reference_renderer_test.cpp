@@ -196,6 +196,43 @@ TEST(ReferenceRenderer, PathsEndAtUneditedAndGoOnAtEditedAndGlossySegments) {
     EXPECT_NEAR(floorRadiance(), unedited, 1e-4) << "black plus all of the photograph is the photograph";
 }
 
+TEST(ReferenceRenderer, MirrorsInterpolateWithinASurfaceAndNotBeyondIt) {
+    // A mirror for a floor, before a wall that is bright from the 33rd column on: each column of the floor mirrors the
+    // same column of the wall.
+    const Camera camera = squareCamera(64, 64);
+    const auto scene = [&](std::uint16_t rightLabel) {
+        AnalyticScene s(camera, [&](const Vector3f& ray) {
+            AnalyticHit hit;
+            const float z = ray.y() > 0 ? 0.5f / ray.y() : 1e9f;
+            if (z < 2)
+                return AnalyticHit{.front = z, .back = z * 1.01f, .frontNormal = {0, -1, 0}, .backNormal = {0, 1, 0}};
+            const bool right = ray.x() > 0;
+            return AnalyticHit{.front = 2,
+                               .back = 2.05f,
+                               .label = right ? rightLabel : std::uint16_t{2},
+                               .color = right ? Vector3f(1, 1, 1) : Vector3f(0, 0, 0)};
+        });
+        s.edit(1, "ggx").values[0] = 0.001f;
+        return s;
+    };
+    const auto mirrored = [](const AnalyticScene& s, int x) {
+        constexpr int kSamples = 4096;
+        const ReferenceRenderer renderer(s.scene, s.analysis);
+        double sum = 0;
+        for (std::uint32_t i = 0; i < kSamples; ++i) sum += static_cast<double>(renderer.pathRadiance(x, 52, i).x());
+        return sum / kSamples;
+    };
+    // Bilinear between centres, meant over a column: an eighth of what is beside it.
+    const AnalyticScene one = scene(2);
+    EXPECT_NEAR(mirrored(one, 30), 0, 1e-6);
+    EXPECT_NEAR(mirrored(one, 31), 0.125, 0.02);
+    EXPECT_NEAR(mirrored(one, 32), 0.875, 0.02);
+    EXPECT_NEAR(mirrored(one, 33), 1, 0.01);
+    const AnalyticScene two = scene(3);
+    EXPECT_NEAR(mirrored(two, 31), 0, 0.01) << "another segment";
+    EXPECT_NEAR(mirrored(two, 32), 1, 0.01);
+}
+
 TEST(ReferenceTranslucency, FlatSlabInUniformLightReturnsTheDiffuseReflectance) {
     AnalyticScene s(squareCamera(64, 64), test::slab(1, 2));
     s.setEnvironment([](const Vector3f&) { return Vector3f(1, 1, 1); });
