@@ -322,6 +322,15 @@ class WorkTest(CliTest):
         self.assertNotEqual(first, picture("e.exr", *edit, "--reflectance", "1=0.5,0.5,0.5", "--bounces", "1"))
         self.assertEqual(png_size_of(picture, edit, self.path("f.png")), (48, 32))
 
+    def test_a_time_limit_says_how_far_it_came(self):
+        project = self.small_project()
+        out = self.path("limited.exr")
+        result = self.run_cli("render", project, "--edit", '1={"brdf": "ggx", "alpha": 0.5}', "--samples", "1000000",
+                              "--time-limit", "0.5", "-o", out)
+        self.assertRegex(result.stderr, r"time limit ended rendering after [1-9]\d* of 1000000 samples")
+        self.assertTrue(os.path.exists(out))
+        self.run_cli("render", project, "--time-limit", "-1", "-o", out, code=2)
+
     def test_devices(self):
         listed = json.loads(self.run_cli("devices", "--json").stdout)["devices"]
         self.assertGreaterEqual(len(listed), 1)
