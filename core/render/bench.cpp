@@ -442,7 +442,7 @@ std::vector<BenchResult> runBenchmarks(const std::vector<std::string>& names, gp
     for (const std::string& name : names) {
         if (std::find(benchmarkNames().begin(), benchmarkNames().end(), name) != benchmarkNames().end()) continue;
         std::string known;
-        for (const std::string& n : benchmarkNames()) known += (known.empty() ? "" : ", ") + n;
+        for (const std::string& n : benchmarkNames()) known.append(known.empty() ? "" : ", ").append(n);
         throw core::Error(core::ErrorKind::Usage,
                           "There is no benchmark \"" + name + "\". The benchmarks are: " + known + ".");
     }

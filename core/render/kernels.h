@@ -73,10 +73,9 @@ struct LayoutEntry {
 template <class T>
 [[nodiscard]] gpu::Buffer makeBuffer(const gpu::Device& device, const std::string& label, gpu::BufferUsage usage,
                                      const std::vector<T>& contents) {
-    const gpu::Buffer buffer =
-        device.createBuffer({.label = label,
-                             .size = std::max<std::uint64_t>(contents.size() * sizeof(T), 16),
-                             .usage = usage | gpu::BufferUsage::CopyDst | gpu::BufferUsage::CopySrc});
+    gpu::Buffer buffer = device.createBuffer({.label = label,
+                                              .size = std::max<std::uint64_t>(contents.size() * sizeof(T), 16),
+                                              .usage = usage | gpu::BufferUsage::CopyDst | gpu::BufferUsage::CopySrc});
     if (!contents.empty()) device.queue().writeBuffer(buffer, 0, contents.data(), contents.size() * sizeof(T));
     return buffer;
 }

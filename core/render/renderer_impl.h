@@ -103,32 +103,38 @@ struct Renderer::Impl {
     Targets targets;
     std::vector<SegmentState> segments;  ///< edited ones, by label
 
+    // renderer.cpp
     void setScene(const core::Scene& next, std::shared_ptr<const core::Analysis> nextAnalysis);
     void updateSegment(SegmentState& state, const core::Segment& segment);
-    [[nodiscard]] bool layersReady(double seconds);
-    void upload();
-    void prepareTargets();
-    [[nodiscard]] bool pixelsReady(double seconds);
-    void uploadPixels(SegmentState& state, const SegmentPixels& found);
-    void prepareTranslucency(SegmentState& state);
-    void prepareGather(const gpu::CommandEncoder& encoder, SegmentState& state);
-
     bool record(gpu::CommandEncoder& encoder, double budgetSeconds);
-    [[nodiscard]] bool kernelsReady(double seconds);
-    void useKernels();
-    void keepPicture(const gpu::CommandEncoder& encoder);
     [[nodiscard]] std::pair<SegmentState*, Task> nextTask();
+    [[nodiscard]] bool wantsFilter(const SegmentState& state) const;
     void countTime();
     [[nodiscard]] bool timeUp() const { return scene.render.timeLimit > 0 && refinedFor >= scene.render.timeLimit; }
     [[nodiscard]] bool mayRefine() const { return refining && !timeUp(); }
-    [[nodiscard]] bool wantsFilter(const SegmentState& state) const;
+
+    // renderer_uploads.cpp
+    void useKernels();
+    [[nodiscard]] bool kernelsReady(double seconds);
+    [[nodiscard]] bool layersReady(double seconds);
+    [[nodiscard]] bool pixelsReady(double seconds);
+    void uploadPixels(SegmentState& state, const SegmentPixels& found);
+    void upload();
+    void prepareTargets();
+    void keepPicture(const gpu::CommandEncoder& encoder);
+
+    // renderer_slices.cpp; seconds of the device that the slice may take, and will probably take
     double recordReshade(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds);
     double recordFilter(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds);
-    double recordIrradiance(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds);
-    double recordGather(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds);
     void recordComposite(const gpu::CommandEncoder& encoder, SegmentState& state);
-    bool awaitPoints(double seconds);
     void recordDroppedReadback(const gpu::CommandEncoder& encoder);
+
+    // renderer_translucency.cpp
+    void prepareTranslucency(SegmentState& state);
+    bool awaitPoints(double seconds);
+    double recordIrradiance(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds);
+    void prepareGather(const gpu::CommandEncoder& encoder, SegmentState& state);
+    double recordGather(const gpu::CommandEncoder& encoder, SegmentState& state, double seconds);
 
     [[nodiscard]] PixelBounds whole() const {
         return {0, 0, static_cast<int>(geometry.width()), static_cast<int>(geometry.height())};

@@ -89,7 +89,7 @@ void SceneGeometry::requireBufferFits(const char* what, std::uint64_t bytes) con
 
 gpu::Texture SceneGeometry::upload(const char* label, std::uint32_t width, std::uint32_t height,
                                    const std::vector<float>& texels) const {
-    const gpu::Texture texture = device_.createTexture(
+    gpu::Texture texture = device_.createTexture(
         {.label = label,
          .size = {width, height},
          .format = gpu::TextureFormat::RGBA32Float,

@@ -23,9 +23,9 @@ const uint kBrdfSet = 0xffffffffu;
 layout(constant_id = 0) const uint kBrdfSet = 0xffffffffu;
 #endif
 
-#define BRDF_CASE(id, name)                                               \
-    case id:                                                              \
-        if ((kBrdfSet & (1u << id)) != 0u) return name##_eval(b, wo, wi); \
+#define BRDF_CASE(id, name)                                                 \
+    case (id):                                                              \
+        if ((kBrdfSet & (1u << (id))) != 0u) return name##_eval(b, wo, wi); \
         break;
 KERNEL_FN vec3 brdf_eval(BrdfParams b, vec3 wo, vec3 wi) {
     switch (int(b.type)) {
@@ -37,9 +37,9 @@ KERNEL_FN vec3 brdf_eval(BrdfParams b, vec3 wo, vec3 wi) {
 }
 #undef BRDF_CASE
 
-#define BRDF_CASE(id, name)                                              \
-    case id:                                                             \
-        if ((kBrdfSet & (1u << id)) != 0u) return name##_pdf(b, wo, wi); \
+#define BRDF_CASE(id, name)                                                \
+    case (id):                                                             \
+        if ((kBrdfSet & (1u << (id))) != 0u) return name##_pdf(b, wo, wi); \
         break;
 KERNEL_FN float brdf_pdf(BrdfParams b, vec3 wo, vec3 wi) {
     switch (int(b.type)) {
@@ -51,9 +51,9 @@ KERNEL_FN float brdf_pdf(BrdfParams b, vec3 wo, vec3 wi) {
 }
 #undef BRDF_CASE
 
-#define BRDF_CASE(id, name)                                                \
-    case id:                                                               \
-        if ((kBrdfSet & (1u << id)) != 0u) return name##_sample(b, wo, u); \
+#define BRDF_CASE(id, name)                                                  \
+    case (id):                                                               \
+        if ((kBrdfSet & (1u << (id))) != 0u) return name##_sample(b, wo, u); \
         break;
 KERNEL_FN vec3 brdf_sample(BrdfParams b, vec3 wo, vec2 u) {
     switch (int(b.type)) {
@@ -65,9 +65,9 @@ KERNEL_FN vec3 brdf_sample(BrdfParams b, vec3 wo, vec2 u) {
 }
 #undef BRDF_CASE
 
-#define BRDF_CASE(id, name)                                                 \
-    case id:                                                                \
-        if ((kBrdfSet & (1u << id)) != 0u) return name##_weight(b, wo, wi); \
+#define BRDF_CASE(id, name)                                                   \
+    case (id):                                                                \
+        if ((kBrdfSet & (1u << (id))) != 0u) return name##_weight(b, wo, wi); \
         break;
 KERNEL_FN vec3 brdf_weight(BrdfParams b, vec3 wo, vec3 wi) {
     switch (int(b.type)) {

@@ -46,7 +46,7 @@ KERNEL_FN float fresnel_conductor(float cosI, float eta, float k) {
 /// every angle. Schlick: F0 = specular colour. Dielectric, Conductor: exact, scaled by the specular colour.
 KERNEL_FN vec3 fresnel_specular(BrdfParams b, float cosH) {
     vec3 c = rgb(b.specular);
-    int mode = int(b.specular.w + 0.5f);
+    int mode = int(b.specular.w);
     if (mode == kFresnelSchlick) {
         float m = 1.0f - clamp(cosH, 0.0f, 1.0f);
         float m5 = m * m * m * m * m;
