@@ -53,7 +53,8 @@ void beginRound(MarchScene scene, uint end, inout Taken ray) {
 }
 
 void main() {
-    uint first = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * block.share;
+    uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+    uint first = (group % block.groupsPerWorker * block.workers + group / block.groupsPerWorker) * block.share;
     uint end = min(first + block.share, sliceValue(block.rayCount));
     if (gl_LocalInvocationIndex == 0u) taken = first;
     barrier();

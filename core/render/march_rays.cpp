@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 
 #include "core/render/kernels.h"
 #include "gpu/adapter.h"
@@ -18,9 +19,8 @@ namespace {
 /// Rays that a workgroup marches one after the other: more, and fewer lanes wait for the last ones; as long as there
 /// are workgroups for the whole device. Not so many that a workgroup takes long, or that software drivers, which end
 /// loops after 65535 turns in all, would.
-std::uint32_t shareOf(std::uint32_t rayCount, const gpu::Device& device) {
-    const std::uint32_t groups = device.adapterInfo().type == gpu::AdapterType::CPU ? 256 : 4096;
-    return std::clamp(rayCount / groups, 2 * kListGroupSize, 8 * kListGroupSize);
+std::uint32_t shareOf(std::uint32_t rayCount, bool software) {
+    return std::clamp(rayCount / (software ? 256 : 4096), 2 * kListGroupSize, 8 * kListGroupSize);
 }
 
 }  // namespace
@@ -54,15 +54,20 @@ std::vector<RayHit> RayMarcher::march(std::span<const Ray> rays, MarchMethod met
          .layout = layout_,
          .entries = {{.binding = MARCH_RAYS, .buffer = rayBuffer}, {.binding = MARCH_HITS, .buffer = hitBuffer}}});
     const auto rayCount = static_cast<std::uint32_t>(rays.size());
-    const std::uint32_t share = method == MarchMethod::Pyramid ? shareOf(rayCount, device_) : kListGroupSize;
+    const bool software = device_.adapterInfo().type == gpu::AdapterType::CPU;
+    const std::uint32_t share = method == MarchMethod::Pyramid ? shareOf(rayCount, software) : kListGroupSize;
+    // Software drivers give each thread an equal part of the workgroups, one after the other: with neighbouring shares
+    // in different parts, all have as much to do and read what the others have just read.
+    const std::uint32_t workers = software ? std::max(std::thread::hardware_concurrency(), 1u) : 1;
+    const std::uint32_t groupsPerWorker = ((rayCount + share - 1) / share + workers - 1) / workers;
     const kernel::MarchBlock block{.rayCount = rayCount,
                                    .share = share,
                                    .stepSize = steps.stepSize,
                                    .maxDistance = steps.maxDistance,
                                    .without = without,
-                                   .pad0 = 0,
-                                   .pad1 = 0,
-                                   .pad2 = 0};
+                                   .workers = workers,
+                                   .groupsPerWorker = groupsPerWorker,
+                                   .pad0 = 0};
 
     gpu::PassTimer timer(device_);
     const gpu::CommandEncoder encoder = device_.createCommandEncoder({.label = "march_rays"});
@@ -73,8 +78,7 @@ std::vector<RayHit> RayMarcher::march(std::span<const Ray> rays, MarchMethod met
         pass.setBindGroup(0, geometry_.bindGroup());
         pass.setBindGroup(1, group);
         pass.setPushConstants(block);
-        const std::uint32_t shares = (rayCount + share - 1) / share;
-        const ListGroups groups = listGroups(shares * kListGroupSize, device_.limits());
+        const ListGroups groups = listGroups(workers * groupsPerWorker * kListGroupSize, device_.limits());
         pass.dispatchWorkgroups(groups.x, groups.y);
         pass.end();
     }

@@ -16,9 +16,9 @@ struct MarchBlock {
     float stepSize;     // constant steps only [m]
     float maxDistance;  // constant steps only [m]
     float without;      // pyramid only: pixels with this label count as empty; -1 = none
+    uint workers;       // pyramid only: neighbouring shares go to so many equal parts of the workgroups
+    uint groupsPerWorker;
     uint pad0;
-    uint pad1;
-    uint pad2;
 };
 KERNEL_BLOCK(MarchBlock, 32)
 
