@@ -20,7 +20,7 @@ namespace {
 /// are workgroups for the whole device. Not so many that a workgroup takes long, or that software drivers, which end
 /// loops after 65535 turns in all, would.
 std::uint32_t shareOf(std::uint32_t rayCount, bool software) {
-    return std::clamp(rayCount / (software ? 256 : 4096), 2 * kListGroupSize, 8 * kListGroupSize);
+    return std::clamp(rayCount / (software ? 256 : 4096), 2 * kListGroupSize, 16 * kListGroupSize);
 }
 
 }  // namespace
