@@ -20,8 +20,8 @@ namespace {
 constexpr VkDeviceSize kStagingBlock = VkDeviceSize{1} << 20;
 constexpr std::uint32_t kSetsPerPool = 64;
 
-/// Asks for large pages, of 2 MB on most machines, where the device's memory is the process's own: with small ones, most
-/// look-ups all over a large image also wait for their address. It is a hint; nothing depends on it.
+/// Asks for large pages, of 2 MB on most machines, where the device's memory is the process's own: with small ones,
+/// most look-ups all over a large image also wait for their address. It is a hint; nothing depends on it.
 void askForLargePages(VkDevice device, const Allocation& allocation) {
 #ifdef MADV_HUGEPAGE
     constexpr std::uintptr_t kLargePage = std::uintptr_t{1} << 21;
