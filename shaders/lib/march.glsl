@@ -199,7 +199,8 @@ bool walks(March m) { return m.going && !m.candidate; }
 uint nextCell(MarchScene scene, March m) {
     int stored = max(m.level, scene.finest);
     uvec2 cell = uvec2(m.pixel >> stored);
-    return pyramid[pyramidIndex(cell.x, cell.y, uint(stored - scene.finest), scene.rows, scene.blocks)];
+    uint index = pyramidIndex(cell.x, cell.y, uint(stored - scene.finest), scene.rows, scene.blocks);
+    return texelFetch(pyramidMap, ivec2(pyramidTexel(index)), 0).x;
 }
 
 // A step of a ray that walks: past the next cell or into it. What it does is counted in instructions.
