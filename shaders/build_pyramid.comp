@@ -13,7 +13,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant) uniform Block { BuildPyramidBlock block; };
 layout(set = 0, binding = BUILD_PYRAMID_FRONT_PATCH) uniform texture2D frontPatchMap;
 layout(set = 0, binding = BUILD_PYRAMID_BACK_PATCH) uniform texture2D backPatchMap;
-layout(set = 0, binding = BUILD_PYRAMID_RANGES) buffer Ranges { uint ranges[]; };
+layout(set = 0, binding = BUILD_PYRAMID_RANGES, r32ui) uniform uimage2D rangeMap;
+
+ivec2 texelOf(uvec2 cell, uint step_) {
+    return ivec2(pyramidTexel(pyramidIndex(cell.x, cell.y, step_, block.rows, block.blocks)));
+}
 
 void main() {
     uvec2 cell = gl_GlobalInvocationID.xy;
@@ -29,9 +33,9 @@ void main() {
             vec4 frontPatch = texelFetch(frontPatchMap, ivec2(child), 0);
             part = packRange(pixelRange(frontPatch, texelFetch(backPatchMap, ivec2(child), 0)), block.leastW, block.scale);
         } else {
-            part = ranges[pyramidIndex(child.x, child.y, step_ - 1u, block.rows, block.blocks)];
+            part = imageLoad(rangeMap, texelOf(child, step_ - 1u)).x;
         }
         range = joinRanges(range, part);
     }
-    ranges[pyramidIndex(cell.x, cell.y, block.step, block.rows, block.blocks)] = range;
+    imageStore(rangeMap, texelOf(cell, block.step), uvec4(range));
 }

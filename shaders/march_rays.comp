@@ -1,6 +1,9 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Marches a list of rays: for the analysis, the benchmark and the tests.
+// Marches a list of rays: for the analysis, the benchmark and the tests. A workgroup has a share of the list, of which
+// each invocation takes the next ray when one of its two has ended (Aila and Laine 2009, "persistent threads"): where
+// lanes run in lock step, none waits for the longest ray among them, and one ray's cell is fetched while the other's is
+// looked at.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shaders/lib/list.glsl"
@@ -14,16 +17,58 @@ layout(push_constant) uniform Block { MarchBlock block; };
 layout(set = 1, binding = MARCH_RAYS) readonly buffer Rays { vec4 rays[]; };
 layout(set = 1, binding = MARCH_HITS) writeonly buffer Hits { vec4 hits[]; };
 
-void main() {
-    uint index = listIndex();
-    if (index >= sliceValue(block.rayCount)) return;
-    vec3 origin = rays[2u * index].xyz;
-    vec3 direction = rays[2u * index + 1u].xyz;
-    if (direction == vec3(0.0)) {
-        hits[index] = vec4(-1.0, -1.0, 0.0, 0.0);
-        return;
+shared uint taken;  // the first ray that nobody has taken
+
+// Rays march in rounds: a look at one pixel, then up to so many steps through the pyramid. More, and a lane waits longer
+// for its next look or ray; fewer, and there are more looks.
+const int kRoundSteps = 12;
+
+// One of an invocation's rays.
+struct Taken {
+    uint index;  // where its hit belongs
+    int rounds;  // left
+    March m;
+};
+
+// Takes a ray from the list when there is none or it has ended, and looks at its pixel. From `end` on there is no ray.
+void beginRound(MarchScene scene, uint end, inout Taken ray) {
+    if (ray.rounds == 0) ray.m.going = false;
+    --ray.rounds;
+    if (!ray.m.going) {
+        if (ray.index < end) {
+            MarchHit hit = marchHit(ray.m);
+            hits[ray.index] =
+                hit.found ? vec4(hit.pixel, hit.back ? 1.0 : 0.0, hit.distance) : vec4(-1.0, -1.0, 0.0, 0.0);
+        }
+        ray.index = atomicAdd(taken, 1u);
+        if (ray.index < end) {
+            vec3 direction = rays[2u * ray.index + 1u].xyz;
+            ray.m = startMarch(scene, rays[2u * ray.index].xyz, direction);
+            ray.m.going = ray.m.going && direction != vec3(0.0);
+            ray.m.candidate = ray.m.going;
+            ray.rounds = scene.steps / 4;
+        }
     }
-    MarchHit hit = block.method == MARCH_PYRAMID ? march(origin, direction)
-                                                 : marchConstant(origin, direction, block.stepSize, block.maxDistance);
-    hits[index] = hit.found ? vec4(hit.pixel, hit.back ? 1.0 : 0.0, hit.distance) : vec4(-1.0, -1.0, 0.0, 0.0);
+    lookAtPixel(scene, ray.m);
+}
+
+void main() {
+    uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+    uint first = (group % block.groupsPerWorker * block.workers + group / block.groupsPerWorker) * block.share;
+    uint end = min(first + block.share, sliceValue(block.rayCount));
+    if (gl_LocalInvocationIndex == 0u) taken = first;
+    barrier();
+    MarchScene scene = marchScene();
+    Taken a = Taken(~0u, 0, noMarch());
+    Taken b = a;
+    do {
+        beginRound(scene, end, a);
+        beginRound(scene, end, b);
+        for (int i = 0; i < kRoundSteps && (walks(a.m) || walks(b.m)); ++i) {
+            uint cellA = nextCell(scene, a.m);
+            uint cellB = nextCell(scene, b.m);
+            if (walks(a.m)) walk(scene, a.m, cellA);
+            if (walks(b.m)) walk(scene, b.m, cellB);
+        }
+    } while (a.index < end || b.index < end);
 }

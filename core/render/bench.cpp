@@ -106,7 +106,7 @@ std::vector<Ray> Benchmarks::cosineRays(std::size_t count) const {
 void Benchmarks::march() {
     constexpr std::size_t kRays = 1 << 18;
     constexpr std::size_t kSlowRays = 1 << 14;  // for the methods that are slow on a processor
-    constexpr int kRepetitions = 3;
+    constexpr int kRepetitions = 10;            // a short time each, and other programs have times of their own
     const core::DepthLayers sceneLayers = layers();
     SceneGeometry geometry(device);
     geometry.setLayers(sceneLayers, scene.photo->color, *analysis->front, *analysis->back);

@@ -59,7 +59,7 @@ gpu::BindGroupLayout makeGeometryLayout(const gpu::Device& device) {
     using enum gpu::BindingType;
     return makeLayout(device, "geometry",
                       {{GEOMETRY_BLOCK, UniformBuffer},
-                       {GEOMETRY_PYRAMID, ReadOnlyStorageBuffer},
+                       {GEOMETRY_PYRAMID, SampledTexture},
                        {GEOMETRY_FRONT_PATCH, SampledTexture},
                        {GEOMETRY_BACK_PATCH, SampledTexture},
                        {GEOMETRY_FRONT_COLOR, SampledTexture},

@@ -1,21 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/march_rays.h"
 
+#include <algorithm>
 #include <chrono>
+#include <thread>
 
 #include "core/render/kernels.h"
+#include "gpu/adapter.h"
 #include "gpu/pass_timer.h"
 #include "gpu/readback.h"
+#include "kernels/march_constant.h"
 #include "kernels/march_rays.h"
 #include "shaders/shared/march_block.h"
 
 namespace render {
+namespace {
+
+/// Rays that a workgroup marches one after the other: more, and fewer lanes wait for the last ones; as long as there
+/// are workgroups for the whole device. Not so many that a workgroup takes long, or that software drivers, which end
+/// loops after 65535 turns in all, would.
+std::uint32_t shareOf(std::uint32_t rayCount, bool software) {
+    return std::clamp(rayCount / (software ? 256 : 4096), 2 * kListGroupSize, 16 * kListGroupSize);
+}
+
+}  // namespace
 
 RayMarcher::RayMarcher(const gpu::Device& device, SceneGeometry& geometry) : device_(device), geometry_(geometry) {
     using enum gpu::BindingType;
     layout_ = makeLayout(device, "march_rays", {{MARCH_RAYS, ReadOnlyStorageBuffer}, {MARCH_HITS, StorageBuffer}});
-    pipeline_ =
-        makePipeline(device, "march_rays", march_rays_spv, {geometry.layout(), layout_}, sizeof(kernel::MarchBlock));
+    const auto pipeline = [&](const char* label, std::span<const std::uint32_t> code) {
+        return makePipeline(device, label, code, {geometry.layout(), layout_}, sizeof(kernel::MarchBlock));
+    };
+    pyramid_ = pipeline("march_rays", march_rays_spv);
+    constantSteps_ = pipeline("march_constant", march_constant_spv);
 }
 
 std::vector<RayHit> RayMarcher::march(std::span<const Ray> rays, MarchMethod method, const ConstantStepParams& steps,
@@ -36,26 +53,32 @@ std::vector<RayHit> RayMarcher::march(std::span<const Ray> rays, MarchMethod met
         {.label = "march_rays",
          .layout = layout_,
          .entries = {{.binding = MARCH_RAYS, .buffer = rayBuffer}, {.binding = MARCH_HITS, .buffer = hitBuffer}}});
-    const kernel::MarchBlock block{
-        .rayCount = static_cast<kernel::uint>(rays.size()),
-        .method = method == MarchMethod::Pyramid ? kernel::uint{MARCH_PYRAMID} : kernel::uint{MARCH_CONSTANT},
-        .stepSize = steps.stepSize,
-        .maxDistance = steps.maxDistance,
-        .without = without,
-        .pad0 = 0,
-        .pad1 = 0,
-        .pad2 = 0};
+    const auto rayCount = static_cast<std::uint32_t>(rays.size());
+    const bool software = device_.adapterInfo().type == gpu::AdapterType::CPU;
+    const std::uint32_t share = method == MarchMethod::Pyramid ? shareOf(rayCount, software) : kListGroupSize;
+    // Software drivers give each thread an equal part of the workgroups, one after the other: with neighbouring shares
+    // in different parts, all have as much to do and read what the others have just read.
+    const std::uint32_t workers = software ? std::max(std::thread::hardware_concurrency(), 1u) : 1;
+    const std::uint32_t groupsPerWorker = ((rayCount + share - 1) / share + workers - 1) / workers;
+    const kernel::MarchBlock block{.rayCount = rayCount,
+                                   .share = share,
+                                   .stepSize = steps.stepSize,
+                                   .maxDistance = steps.maxDistance,
+                                   .without = without,
+                                   .workers = workers,
+                                   .groupsPerWorker = groupsPerWorker,
+                                   .pad0 = 0};
 
     gpu::PassTimer timer(device_);
     const gpu::CommandEncoder encoder = device_.createCommandEncoder({.label = "march_rays"});
     {
         const auto region = timer.measure(encoder, "march_rays");
         const gpu::ComputePassEncoder pass = encoder.beginComputePass({.label = "march_rays"});
-        pass.setPipeline(pipeline_);
+        pass.setPipeline(method == MarchMethod::Pyramid ? pyramid_ : constantSteps_);
         pass.setBindGroup(0, geometry_.bindGroup());
         pass.setBindGroup(1, group);
         pass.setPushConstants(block);
-        const ListGroups groups = listGroups(block.rayCount, device_.limits());
+        const ListGroups groups = listGroups(workers * groupsPerWorker * kListGroupSize, device_.limits());
         pass.dispatchWorkgroups(groups.x, groups.y);
         pass.end();
     }

@@ -27,8 +27,9 @@ struct ConstantStepParams {
     float maxDistance = 1;
 };
 
-/// Marches a list of rays through the scene on the device, for the analysis, the benchmark and the tests; the
-/// renderer's kernels include the same text (shaders/lib/march.glsl).
+/// Marches a list of rays through the scene on the device, for the analysis, the benchmark and the tests. The
+/// renderer's kernels take the same steps (shaders/lib/march.glsl), one ray per lane at a time; here a lane takes the
+/// next ray when one has ended.
 class RayMarcher {
   public:
     /// The geometry must be recorded already, and outlive the marcher.
@@ -45,7 +46,8 @@ class RayMarcher {
     gpu::Device device_;
     SceneGeometry& geometry_;
     gpu::BindGroupLayout layout_;
-    gpu::ComputePipeline pipeline_;
+    gpu::ComputePipeline pyramid_;
+    gpu::ComputePipeline constantSteps_;
     double seconds_ = 0;
 };
 

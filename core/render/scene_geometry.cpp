@@ -52,7 +52,7 @@ SceneGeometry::SceneGeometry(const gpu::Device& device) : device_(device), layou
     const gpu::BindGroupLayout build = makeLayout(device, "build_pyramid",
                                                   {{BUILD_PYRAMID_FRONT_PATCH, SampledTexture},
                                                    {BUILD_PYRAMID_BACK_PATCH, SampledTexture},
-                                                   {BUILD_PYRAMID_RANGES, StorageBuffer}});
+                                                   {BUILD_PYRAMID_RANGES, ReadWriteStorageTexture}});
     buildPyramid_ =
         makePipeline(device, "build_pyramid", build_pyramid_spv, {build}, sizeof(kernel::BuildPyramidBlock));
     block_ = device.createBuffer({.label = "geometry",
@@ -145,10 +145,13 @@ void SceneGeometry::begin(const Source& source) {
     greatestW_ = kernel::kEmptyRangeMax;
     frontPatch_ = makeLayer("front patch");
     backPatch_ = makeLayer("back patch");
-    shape_ = render::pyramidShape(width, height, device_.limits().maxStorageBufferBindingSize / sizeof(kernel::uint));
-    pyramid_ = device_.createBuffer({.label = "pyramid",
-                                     .size = shape_.cells() * sizeof(kernel::uint),
-                                     .usage = gpu::BufferUsage::Storage | gpu::BufferUsage::CopySrc});
+    constexpr std::uint64_t kRow = kernel::kPyramidWidth;
+    shape_ = render::pyramidShape(width, height, kRow * device_.limits().maxTextureDimension2D);
+    pyramid_ = device_.createTexture(
+        {.label = "pyramid",
+         .size = {kernel::kPyramidWidth, static_cast<std::uint32_t>((shape_.cells() + kRow - 1) / kRow)},
+         .format = gpu::TextureFormat::R32Uint,
+         .usage = gpu::TextureUsage::TextureBinding | gpu::TextureUsage::StorageBinding | gpu::TextureUsage::CopySrc});
     pyramidStale_ = true;
     group_ = {};
 }
@@ -265,7 +268,7 @@ const gpu::BindGroup& SceneGeometry::bindGroup() {
         {.label = "geometry",
          .layout = layout_,
          .entries = {{.binding = GEOMETRY_BLOCK, .buffer = block_},
-                     {.binding = GEOMETRY_PYRAMID, .buffer = pyramid_},
+                     {.binding = GEOMETRY_PYRAMID, .textureView = pyramid_.createView()},
                      {.binding = GEOMETRY_FRONT_PATCH, .textureView = frontPatch_.createView()},
                      {.binding = GEOMETRY_BACK_PATCH, .textureView = backPatch_.createView()},
                      {.binding = GEOMETRY_FRONT_COLOR, .textureView = frontColor_.createView()},
@@ -289,7 +292,7 @@ void SceneGeometry::recordPyramid(const gpu::CommandEncoder& encoder) {
          .layout = buildPyramid_.getBindGroupLayout(0),
          .entries = {{.binding = BUILD_PYRAMID_FRONT_PATCH, .textureView = frontPatch_.createView()},
                      {.binding = BUILD_PYRAMID_BACK_PATCH, .textureView = backPatch_.createView()},
-                     {.binding = BUILD_PYRAMID_RANGES, .buffer = pyramid_}}});
+                     {.binding = BUILD_PYRAMID_RANGES, .textureView = pyramid_.createView()}}});
     const gpu::ComputePassEncoder pass = encoder.beginComputePass({.label = "build pyramid"});
     pass.setPipeline(buildPyramid_);
     pass.setBindGroup(0, group);

@@ -17,7 +17,7 @@
 
 namespace render {
 
-/// Levels of the min/max pyramid and how they lie in its buffer (kernel::pyramidIndex).
+/// Levels of the min/max pyramid and how they lie in its texture (kernel::pyramidIndex).
 struct PyramidShape {
     std::uint32_t finest = 0;  ///< first level that is stored: cells of 2^finest pixels
     std::uint32_t top = 0;     ///< last level
@@ -61,7 +61,7 @@ class SceneGeometry {
     /// Valid once layers and environment are set.
     [[nodiscard]] const gpu::BindGroup& bindGroup();
     [[nodiscard]] const gpu::Texture& photo() const { return frontColor_; }
-    [[nodiscard]] const gpu::Buffer& pyramid() const { return pyramid_; }
+    [[nodiscard]] const gpu::Texture& pyramid() const { return pyramid_; }
     [[nodiscard]] const PyramidShape& pyramidShape() const { return shape_; }
     /// What holds all solids, in inverse depth [1/m]; first > second: there is none.
     [[nodiscard]] std::pair<float, float> rangeOfW() const { return {leastW_, greatestW_}; }
@@ -92,7 +92,7 @@ class SceneGeometry {
     PyramidShape shape_;
     float leastW_ = 0, greatestW_ = 0;
     gpu::Texture frontPatch_, backPatch_, frontColor_, backColor_, frontNormal_, backNormal_, environment_;
-    gpu::Buffer pyramid_;
+    gpu::Texture pyramid_;
     gpu::Buffer environmentTable_;
     kernel::GeometryBlock environmentBlock_;  ///< what it says of the environment
     gpu::Buffer block_;

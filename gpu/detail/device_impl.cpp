@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/detail/device_impl.h"
 
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -15,6 +19,24 @@ namespace {
 
 constexpr VkDeviceSize kStagingBlock = VkDeviceSize{1} << 20;
 constexpr std::uint32_t kSetsPerPool = 64;
+
+/// Asks for large pages, of 2 MB on most machines, where the device's memory is the process's own: with small ones,
+/// most look-ups all over a large image also wait for their address. It is a hint; nothing depends on it.
+void askForLargePages(VkDevice device, const Allocation& allocation) {
+#ifdef MADV_HUGEPAGE
+    constexpr std::uintptr_t kLargePage = std::uintptr_t{1} << 21;
+    if (allocation.size < 2 * kLargePage || (allocation.flags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) == 0) return;
+    void* data = nullptr;
+    if (vkMapMemory(device, allocation.memory, 0, VK_WHOLE_SIZE, 0, &data) != VK_SUCCESS) return;
+    const auto begin = (reinterpret_cast<std::uintptr_t>(data) + kLargePage - 1) & ~(kLargePage - 1);
+    const auto end = (reinterpret_cast<std::uintptr_t>(data) + allocation.size) & ~(kLargePage - 1);
+    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+    vkUnmapMemory(device, allocation.memory);
+#else
+    (void)device;
+    (void)allocation;
+#endif
+}
 
 }  // namespace
 
@@ -232,6 +254,7 @@ Allocation DeviceImpl::allocate(const VkMemoryRequirements& requirements, VkMemo
                          " bytes fails, and this device has allocated ", allocatedBytes_, " bytes."));
     }
     check(result, "vkAllocateMemory", what);
+    if (info_.type == AdapterType::CPU) askForLargePages(vk(), allocation);
     if (counted) allocatedBytes_ += allocation.size;
     return allocation;
 }

@@ -6,7 +6,7 @@
 #include "shaders/shared/geometry_block.h"
 
 layout(set = 0, binding = GEOMETRY_BLOCK) uniform Geometry { GeometryBlock geometry; };
-layout(set = 0, binding = GEOMETRY_PYRAMID) readonly buffer Pyramid { uint pyramid[]; };
+layout(set = 0, binding = GEOMETRY_PYRAMID) uniform utexture2D pyramidMap;
 layout(set = 0, binding = GEOMETRY_FRONT_PATCH) uniform texture2D frontPatchMap;
 layout(set = 0, binding = GEOMETRY_BACK_PATCH) uniform texture2D backPatchMap;
 layout(set = 0, binding = GEOMETRY_FRONT_COLOR) uniform texture2D frontColorMap;

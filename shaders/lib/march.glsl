@@ -55,22 +55,19 @@ ImageRay imageRay(vec3 p, vec3 d) {
     return ray;
 }
 
-// Distance [m] along the ray of parameter s.
-float rayDistance(vec3 p, vec3 d, float s) { return s * p.z / max(1.0 - s * d.z, 1.0e-20); }
-
 // Solid of one pixel against the piece [s0, s1] of a ray inside that pixel: the parameters where it enters and leaves,
-// and whether it enters through the back patch. False when it does not touch the solid. A side wall belongs to the
-// nearer layer.
-bool crossPixel(ImageRay ray, ivec2 pixel, float s0, float s1, out float enter, out float leave, out bool back) {
-    enter = s0;
-    leave = s1;
-    back = false;
-    vec4 frontPatch = texelFetch(frontPatchMap, pixel, 0);
-    if (!(frontPatch.x > 0.0)) return false;
+// and whether it enters through the back patch. False when it does not touch the solid, or when not `asked`: where lanes
+// run in lock step the patches are read for all of them, and those that need none read the same texels. A side wall
+// belongs to the nearer layer.
+bool crossPixel(ImageRay ray, ivec2 pixel, float s0, float s1, bool asked, out float enter, out float leave,
+                out bool back) {
+    ivec2 texel = asked ? pixel : ivec2(0);
+    vec4 frontPatch = texelFetch(frontPatchMap, texel, 0);
+    vec4 backPatch = texelFetch(backPatchMap, texel, 0);
+    bool touches = asked && frontPatch.x > 0.0;
 #ifdef MARCH_WITHOUT
-    if (frontPatch.w == MARCH_WITHOUT) return false;
+    touches = touches && frontPatch.w != MARCH_WITHOUT;
 #endif
-    vec4 backPatch = texelFetch(backPatchMap, pixel, 0);
     vec3 a = ray.start + ray.step * s0;
     vec3 b = ray.start + ray.step * s1;
     vec2 center = vec2(pixel) + 0.5;
@@ -79,24 +76,18 @@ bool crossPixel(ImageRay ray, ivec2 pixel, float s0, float s1, out float enter, 
     float front1 = (frontPatch.x + dot(frontPatch.yz, b.xy - center)) - b.z;
     float back0 = a.z - (backPatch.x + dot(backPatch.yz, a.xy - center));
     float back1 = b.z - (backPatch.x + dot(backPatch.yz, b.xy - center));
-    if ((front0 < 0.0 && front1 < 0.0) || (back0 < 0.0 && back1 < 0.0)) return false;
-    float lo = 0.0;
-    float hi = 1.0;
-    if (front0 < 0.0) lo = front0 / (front0 - front1);
-    if (front1 < 0.0) hi = front0 / (front0 - front1);
-    if (back0 < 0.0) {
-        float root = back0 / (back0 - back1);
-        if (root > lo) {
-            lo = root;
-            back = true;
-        }
-    }
-    if (back1 < 0.0) hi = min(hi, back0 / (back0 - back1));
-    if (!(lo <= hi)) return false;
-    if (lo <= 0.0) back = front0 > back0;
+    touches = touches && (front0 >= 0.0 || front1 >= 0.0) && (back0 >= 0.0 || back1 >= 0.0);
+    float frontRoot = front0 / (front0 - front1);
+    float backRoot = back0 / (back0 - back1);
+    float lo = front0 < 0.0 ? frontRoot : 0.0;
+    float hi = front1 < 0.0 ? frontRoot : 1.0;
+    back = back0 < 0.0 && backRoot > lo;
+    lo = back ? backRoot : lo;
+    hi = back1 < 0.0 ? min(hi, backRoot) : hi;
+    back = lo <= 0.0 ? front0 > back0 : back;
     enter = lo > 0.0 ? s0 + (s1 - s0) * lo : s0;
     leave = hi < 1.0 ? s0 + (s1 - s0) * hi : s1;
-    return true;
+    return touches && lo <= hi;
 }
 
 // Greatest of `least` and the least of the others, none of which is negative if it matters: such floats order as
@@ -106,118 +97,155 @@ float nextStop(float least, vec2 exits, float end) {
     return intBitsToFloat(max(floatBitsToInt(least), stop));
 }
 
-// First solid the ray enters. `p` has z > 0, `d` is unit length. An origin inside a solid does not count until the ray
-// has left it.
-//
-// The inner loop walks the hierarchy until the ray may touch the solid of a pixel, the outer one looks at that pixel
-// (Aila and Laine 2009, "while-while"): where lanes run in lock step, all of them then do the same most of the time. What
-// the inner loop does is counted in instructions; it reads one word of the pyramid and nothing else.
-MarchHit march(vec3 p, vec3 d) {
-    MarchHit hit = MarchHit(false, false, ivec2(0), 0.0);
-    ImageRay ray = imageRay(p, d);
-    bool going = p.z > 0.0 && ray.begin <= ray.end;
+// What rays march through, read once: loads are not moved out of loops everywhere.
+struct MarchScene {
+    ivec2 lastPixel;
+    int top;  // levels of the pyramid
+    int finest;
+    uint rows;  // where its cells are (pyramidIndex)
+    uint blocks;
+    float leastW;
+    float scale;  // rangeScale
+    int steps;    // no ray needs more; one with broken numbers stops here
+};
 
-    // Read once; loads are not moved out of loops everywhere.
-    ivec2 lastPixel = ivec2(geometry.width, geometry.height) - 1;
-    int top = int(geometry.pyramidTop);
-    int finest = int(geometry.pyramidFinest);
-    uint rows = geometry.pyramidRows;
-    uint blocks = geometry.pyramidBlocks;
-    float scale = rangeScale(geometry.leastW, geometry.greatestW);
-    float start = (ray.start.z - geometry.leastW) * scale + kRangeStart;  // in the pyramid's unit
-    float slope = ray.step.z * scale;
-
-    ivec2 pixel = clamp(ivec2(floor(ray.start.xy + ray.step.xy * ray.begin)), ivec2(0), lastPixel);
-    ivec2 ahead = ivec2(ray.step.x > 0.0 ? 1 : 0, ray.step.y > 0.0 ? 1 : 0);
-    int level = 0;
-    float s = ray.begin;
-    bool inside = ray.begin <= 0.0;  // escaping from the solid of the origin; the first pixel decides whether there is one
-
-    // No ray needs more steps; one with broken numbers stops here.
-    int budget = int(sliceValue(8u * (geometry.width + geometry.height) + 64u));
-    while (going && budget > 0) {
-        bool candidate = false;
-        while (budget > 0) {
-            --budget;
-            ivec2 low = pixel & -(1 << level);
-            ivec2 edge = low + (ahead << level);
-            vec2 exits = (vec2(edge) - ray.start.xy) * ray.inverse;
-            float next = nextStop(s, exits, ray.end);
-            float before = start + slope * s;
-            float after = start + slope * next;
-            int stored = max(level, finest);
-            uvec2 cell = uvec2(pixel >> stored);
-            uint range = pyramid[pyramidIndex(cell.x, cell.y, uint(stored - finest), rows, blocks)];
-            float least = float(range & 0xffffu);
-            float greatest = float(range >> 16u);
-            bool touches = (before >= least || after >= least) && (before <= greatest || after <= greatest);
-            candidate = touches && level == 0;
-            going = touches || next < ray.end;
-            if (candidate || !going) break;
-
-            // Truncated is as good as floored: it stays in its cell.
-            ivec2 over = clamp(ivec2(ray.start.xy + ray.step.xy * next), low, min(low + ((1 << level) - 1), lastPixel));
-            if (exits.x <= exits.y) over.x = edge.x + ahead.x - 1;
-            if (exits.y <= exits.x) over.y = edge.y + ahead.y - 1;
-            ivec2 moved = (pixel ^ over) >> level;
-            int up = (moved.x | moved.y) > 1 && level < top ? 1 : 0;
-            inside = inside && touches;
-            level += touches ? -1 : up;
-            pixel = touches ? pixel : over;
-            s = touches ? s : next;
-        }
-        if (candidate) {
-            ivec2 edge = pixel + ahead;
-            vec2 exits = (vec2(edge) - ray.start.xy) * ray.inverse;
-            float next = nextStop(s, exits, ray.end);
-            float enter, leave;
-            bool back;
-            if (crossPixel(ray, pixel, s, next, enter, leave, back)) {
-                if (!inside || enter > s) {
-                    hit = MarchHit(true, back, pixel, rayDistance(p, d, enter));
-                    going = false;
-                }
-                inside = leave >= next;
-            } else {
-                inside = false;
-            }
-            if (next >= ray.end) going = false;
-            s = next;
-            ivec2 over = pixel;
-            if (exits.x <= exits.y) over.x = edge.x + ahead.x - 1;
-            if (exits.y <= exits.x) over.y = edge.y + ahead.y - 1;
-            ivec2 moved = pixel ^ over;
-            if ((moved.x | moved.y) > 1 && top > 0) level = 1;
-            pixel = over;
-        }
-    }
-    return hit;
+MarchScene marchScene() {
+    MarchScene scene;
+    scene.lastPixel = ivec2(geometry.width, geometry.height) - 1;
+    scene.top = int(geometry.pyramidTop);
+    scene.finest = int(geometry.pyramidFinest);
+    scene.rows = geometry.pyramidRows;
+    scene.blocks = geometry.pyramidBlocks;
+    scene.leastW = geometry.leastW;
+    scene.scale = rangeScale(geometry.leastW, geometry.greatestW);
+    scene.steps = int(sliceValue(8u * (geometry.width + geometry.height) + 64u));
+    return scene;
 }
 
-// The baseline of [BRD14] Sec. 3.5: constant steps of `stepSize` [m]; steps over what is thinner.
-MarchHit marchConstant(vec3 p, vec3 d, float stepSize, float maxDistance) {
-    MarchHit hit = MarchHit(false, false, ivec2(0), 0.0);
-    bool inside = true;
-    for (float t = 0.0; t <= maxDistance; t += stepSize) {
-        vec3 q = p + d * t;
-        if (!(q.z > 0.0)) return hit;
-        vec2 uv = geometry.camera.xy * q.xy / q.z + geometry.camera.zw;
-        if (any(lessThan(uv, vec2(0.0))) || any(greaterThanEqual(uv, vec2(geometry.width, geometry.height)))) return hit;
-        ivec2 pixel = ivec2(uv);
-        vec4 frontPatch = texelFetch(frontPatchMap, pixel, 0);
-        float w = 1.0 / q.z;
-        bool solid = false;
-        if (frontPatch.x > 0.0) {
-            vec4 backPatch = texelFetch(backPatchMap, pixel, 0);
-            vec2 offset = uv - vec2(pixel) - 0.5;
-            float room = frontPatch.x + dot(frontPatch.yz, offset) - w;
-            float depth = w - backPatch.x - dot(backPatch.yz, offset);
-            solid = room >= 0.0 && depth >= 0.0;
-            if (solid && !inside) return MarchHit(true, depth < room, pixel, t);
-        }
-        inside = inside && solid;
+// A ray on its way, which walks the pyramid until it may touch the solid of a pixel, looks at that pixel, and walks on
+// (Aila and Laine 2009, "while-while"): where lanes run in lock step, all of them then do the same most of the time.
+struct March {
+    ImageRay ray;
+    vec2 z;       // of origin [m] and direction
+    float start;  // w of the ray's start and step, in the pyramid's unit
+    float slope;
+    float s;  // it came so far
+    ivec2 pixel;
+    ivec2 ahead;  // 1 where u, v grow
+    int level;    // of the cell it looks at next, the one with `pixel` in it
+    bool going;
+    bool candidate;  // it may touch the solid of `pixel`
+    bool inside;     // escaping from the solid of the origin; the first pixel decides whether there is one
+    bool found;      // hit: `pixel`, at `s`
+    bool back;
+};
+
+// Before the first ray.
+March noMarch() {
+    ImageRay ray = ImageRay(vec3(0.0), vec3(0.0), vec2(0.0), 0.0, 0.0);
+    return March(ray, vec2(0.0), 0.0, 0.0, 0.0, ivec2(0), ivec2(0), 0, false, false, false, false, false);
+}
+
+// `p` has z > 0, `d` is unit length.
+March startMarch(MarchScene scene, vec3 p, vec3 d) {
+    March m;
+    m.ray = imageRay(p, d);
+    m.z = vec2(p.z, d.z);
+    m.start = (m.ray.start.z - scene.leastW) * scene.scale + kRangeStart;
+    m.slope = m.ray.step.z * scene.scale;
+    m.s = m.ray.begin;
+    m.pixel = clamp(ivec2(floor(m.ray.start.xy + m.ray.step.xy * m.ray.begin)), ivec2(0), scene.lastPixel);
+    m.ahead = ivec2(m.ray.step.x > 0.0 ? 1 : 0, m.ray.step.y > 0.0 ? 1 : 0);
+    m.level = 0;
+    m.going = p.z > 0.0 && m.ray.begin <= m.ray.end;
+    m.candidate = m.going;  // most rays start on a surface
+    m.inside = m.ray.begin <= 0.0;
+    m.found = false;
+    m.back = false;
+    return m;
+}
+
+// Looks at the pixel of a candidate; leaves others as they are.
+void lookAtPixel(MarchScene scene, inout March m) {
+    ivec2 edge = m.pixel + m.ahead;
+    vec2 exits = (vec2(edge) - m.ray.start.xy) * m.ray.inverse;
+    float next = nextStop(m.s, exits, m.ray.end);
+    float enter, leave;
+    bool back;
+    bool touches = crossPixel(m.ray, m.pixel, m.s, next, m.candidate, enter, leave, back);
+    if (m.candidate) {
+        m.candidate = false;
+        m.found = touches && (!m.inside || enter > m.s);
+        m.back = back;
+        m.inside = touches && leave >= next;
+        m.going = !m.found && next < m.ray.end;
+        ivec2 over = m.pixel;
+        if (exits.x <= exits.y) over.x = edge.x + m.ahead.x - 1;
+        if (exits.y <= exits.x) over.y = edge.y + m.ahead.y - 1;
+        ivec2 moved = m.pixel ^ over;
+        if ((moved.x | moved.y) > 1 && scene.top > 0) m.level = 1;
+        m.s = m.found ? enter : next;
+        m.pixel = m.found ? m.pixel : over;
     }
-    return hit;
+}
+
+MarchHit marchHit(March m) {
+    return MarchHit(m.found, m.back, m.pixel, m.s * m.z.x / max(1.0 - m.s * m.z.y, 1.0e-20));
+}
+
+bool walks(March m) { return m.going && !m.candidate; }
+
+// What holds all solids of the next cell (packRange).
+uint nextCell(MarchScene scene, March m) {
+    int stored = max(m.level, scene.finest);
+    uvec2 cell = uvec2(m.pixel >> stored);
+    uint index = pyramidIndex(cell.x, cell.y, uint(stored - scene.finest), scene.rows, scene.blocks);
+    return texelFetch(pyramidMap, ivec2(pyramidTexel(index)), 0).x;
+}
+
+// A step of a ray that walks: past the next cell or into it. What it does is counted in instructions.
+void walk(MarchScene scene, inout March m, uint range) {
+    ivec2 low = m.pixel & -(1 << m.level);
+    ivec2 edge = low + (m.ahead << m.level);
+    vec2 exits = (vec2(edge) - m.ray.start.xy) * m.ray.inverse;
+    float next = nextStop(m.s, exits, m.ray.end);
+    float before = m.start + m.slope * m.s;
+    float after = m.start + m.slope * next;
+    float least = float(range & 0xffffu);
+    float greatest = float(range >> 16u);
+    bool touches = (before >= least || after >= least) && (before <= greatest || after <= greatest);
+    m.candidate = touches && m.level == 0;
+    m.going = touches || next < m.ray.end;
+
+    // Truncated is as good as floored: it stays in its cell.
+    ivec2 over = clamp(ivec2(m.ray.start.xy + m.ray.step.xy * next), low,
+                       min(low + ((1 << m.level) - 1), scene.lastPixel));
+    if (exits.x <= exits.y) over.x = edge.x + m.ahead.x - 1;
+    if (exits.y <= exits.x) over.y = edge.y + m.ahead.y - 1;
+    ivec2 moved = (m.pixel ^ over) >> m.level;
+    int up = (moved.x | moved.y) > 1 && m.level < scene.top ? 1 : 0;
+    int down = m.level > 0 ? -1 : 0;
+    m.inside = m.inside && touches;
+    m.level += touches ? down : up;
+    m.pixel = touches ? m.pixel : over;
+    m.s = touches ? m.s : next;
+}
+
+// First solid the ray enters. `p` has z > 0, `d` is unit length. An origin inside a solid does not count until the ray
+// has left it.
+MarchHit march(vec3 p, vec3 d) {
+    MarchScene scene = marchScene();
+    March m = startMarch(scene, p, d);
+    int steps = scene.steps;
+    while (m.going && steps > 0) {
+        --steps;
+        lookAtPixel(scene, m);
+        while (walks(m) && steps > 0) {
+            --steps;
+            walk(scene, m, nextCell(scene, m));
+        }
+    }
+    return marchHit(m);
 }
 
 #endif

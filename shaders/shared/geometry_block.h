@@ -6,7 +6,7 @@
 #include "shaders/shared/interop.h"
 
 #define GEOMETRY_BLOCK 0         // GeometryBlock
-#define GEOMETRY_PYRAMID 1       // uint per cell: packRange; where: pyramidIndex
+#define GEOMETRY_PYRAMID 1       // uint per cell: packRange; where: pyramidTexel of pyramidIndex
 #define GEOMETRY_FRONT_PATCH 2   // w [1/m], dw/du, dw/dv [1/(m px)], label
 #define GEOMETRY_BACK_PATCH 3    // w, dw/du, dw/dv, unused
 #define GEOMETRY_FRONT_COLOR 4   // radiance
@@ -81,6 +81,11 @@ KERNEL_FN uint pyramidIndex(uint x, uint y, uint step, uint rows, uint blocks) {
     y += rows >> step;
     return (((y >> 2u) * blocks + (x >> 2u)) << 4u) + ((y & 3u) << 2u) + (x & 3u);
 }
+
+// The pyramid is a texture because processors read one by eight lanes at once, and a buffer lane by lane. The index of
+// a cell counts its texels row by row.
+const uint kPyramidWidth = 4096u;  // [texel]; any device has textures as wide
+KERNEL_FN uvec2 pyramidTexel(uint index) { return uvec2(index & (kPyramidWidth - 1u), index / kPyramidWidth); }
 
 KERNEL_END
 

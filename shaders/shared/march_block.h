@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of march_rays.comp (push constants).
+// Parameters of march_rays.comp and march_constant.comp (push constants).
 #ifndef PATINA_MARCH_BLOCK_H
 #define PATINA_MARCH_BLOCK_H
 
@@ -8,20 +8,17 @@
 #define MARCH_RAYS 0  // two vec4 per ray: origin [m], direction (unit; zero = no ray, hits nothing)
 #define MARCH_HITS 1  // one vec4 per ray: x, y (-1 = none), 1 = entered through the back layer, distance [m]
 
-#define MARCH_PYRAMID 0
-#define MARCH_CONSTANT 1
-
 KERNEL_BEGIN
 
 struct MarchBlock {
     uint rayCount;
-    uint method;        // MARCH_PYRAMID or MARCH_CONSTANT
+    uint share;         // pyramid only: rays per workgroup
     float stepSize;     // constant steps only [m]
     float maxDistance;  // constant steps only [m]
     float without;      // pyramid only: pixels with this label count as empty; -1 = none
+    uint workers;       // pyramid only: neighbouring shares go to so many equal parts of the workgroups
+    uint groupsPerWorker;
     uint pad0;
-    uint pad1;
-    uint pad2;
 };
 KERNEL_BLOCK(MarchBlock, 32)
 

@@ -102,9 +102,9 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
          MEMBER(FillShepardBlock, pad1), MEMBER(FillShepardBlock, pad2)},
         sizeof(kernel::FillShepardBlock));
     expectLayout(march_rays_spv, "MarchBlock",
-                 {MEMBER(MarchBlock, rayCount), MEMBER(MarchBlock, method), MEMBER(MarchBlock, stepSize),
-                  MEMBER(MarchBlock, maxDistance), MEMBER(MarchBlock, without), MEMBER(MarchBlock, pad0),
-                  MEMBER(MarchBlock, pad1), MEMBER(MarchBlock, pad2)},
+                 {MEMBER(MarchBlock, rayCount), MEMBER(MarchBlock, share), MEMBER(MarchBlock, stepSize),
+                  MEMBER(MarchBlock, maxDistance), MEMBER(MarchBlock, without), MEMBER(MarchBlock, workers),
+                  MEMBER(MarchBlock, groupsPerWorker), MEMBER(MarchBlock, pad0)},
                  sizeof(kernel::MarchBlock));
     expectLayout(
         march_rays_spv, "GeometryBlock",

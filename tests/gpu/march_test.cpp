@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/render/march_rays.h"
 #include "core/render/scene_geometry.h"
 #include "gpu/readback.h"
@@ -86,8 +88,8 @@ TEST(Pyramid, HoldsTheRangesOfItsCellsOnAnySize) {
         ASSERT_GE(1 << shape.top, std::max(width, height)) << "the top is a single cell";
         const auto [leastW, greatestW] = scene.geometry.rangeOfW();
         const float scale = kernel::rangeScale(leastW, greatestW);
-        const auto cells =
-            gpu::readBuffer<kernel::uint>(testing_support::device(), scene.geometry.pyramid(), 0, shape.cells());
+        const auto cells = gpu::readTexture<kernel::uint>(testing_support::device(), scene.geometry.pyramid());
+        ASSERT_GE(cells.size(), shape.cells());
         for (std::uint32_t level = 0; level <= shape.top; ++level) {
             const int size = 1 << level;
             for (int cy = 0; cy * size < height; ++cy) {
@@ -209,6 +211,81 @@ TEST(March, SurvivesDegenerateRays) {
     }
     for (std::size_t i = 8; i < rays.size(); ++i)
         EXPECT_TRUE(!hits[i].found || std::isfinite(hits[i].distance)) << "ray " << i;
+}
+
+/// Rays with a hit far away beside such that end at once, in an order that no workgroup's share repeats.
+std::vector<render::Ray> unevenRays(const AnalyticScene& source, int count) {
+    std::vector<render::Ray> rays = randomRays(source, count, 11);
+    std::mt19937 random(12);
+    for (render::Ray& ray : rays) {
+        switch (random() % 4) {
+            case 0:
+                ray.direction.setZero();
+                break;
+            case 1:
+                ray.origin = {0, 0, -1};  // behind the camera
+                break;
+            default:
+                break;
+        }
+    }
+    return rays;
+}
+
+TEST(March, EndsEveryRayOfALongList) {
+    const AnalyticScene source = testing_support::makeRandomScene(211, 157, 2);
+    Scene scene(source);
+    // Larger than what all workgroups take at once, and a multiple of nothing.
+    const auto rays = unevenRays(source, 200003);
+    const auto hits = scene.march(rays);
+    std::size_t oracleHits = 0;
+    std::vector<render::Ray> marched;
+    std::vector<render::RayHit> marchedHits;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (rays[i].direction.isZero() || rays[i].origin.z() < 0) {
+            ASSERT_FALSE(hits[i].found) << "ray " << i;
+        } else if (i % 5 == 0 || i + 1000 > rays.size()) {
+            marched.push_back(rays[i]);
+            marchedHits.push_back(hits[i]);
+        }
+    }
+    EXPECT_GE(agreement(scene.layers, marched, marchedHits, &oracleHits), 0.999);
+    EXPECT_GT(oracleHits, marched.size() / 20);
+}
+
+TEST(March, GivesEachRayItsHitWhateverTheLengthOfTheList) {
+    const AnalyticScene source = testing_support::makeRandomScene(128, 96, 4);
+    Scene scene(source);
+    const auto rays = unevenRays(source, 3000);
+    const auto all = scene.march(rays);
+    ASSERT_TRUE(std::any_of(all.begin(), all.end(), [](const render::RayHit& hit) { return hit.found; }));
+    for (const std::size_t count : {1u, 7u, 64u, 65u, 127u, 128u, 129u, 511u, 512u, 513u, 2999u}) {
+        const auto hits = scene.march({rays.end() - static_cast<std::ptrdiff_t>(count), rays.end()});
+        ASSERT_EQ(hits.size(), count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const render::RayHit& expected = all[rays.size() - count + i];
+            ASSERT_EQ(hits[i].found, expected.found) << "ray " << i << " of " << count;
+            ASSERT_EQ(hits[i].x, expected.x) << "ray " << i << " of " << count;
+            ASSERT_EQ(hits[i].y, expected.y) << "ray " << i << " of " << count;
+            ASSERT_EQ(hits[i].back, expected.back) << "ray " << i << " of " << count;
+            ASSERT_EQ(hits[i].distance, expected.distance) << "ray " << i << " of " << count;
+        }
+    }
+}
+
+TEST(March, LeavesOutWhatTheListIsMarchedWithout) {
+    const AnalyticScene source = testing_support::makeAnalyticScene(200, 150, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0,
+                                                                    [](const Vector3f&) { return Vector3f(1, 1, 1); });
+    Scene scene(source);
+    const auto rays = randomRays(source, 4000, 7);
+    render::RayMarcher marcher(testing_support::device(), scene.geometry);
+    const auto isSphere = [&](const render::RayHit& hit) {
+        return hit.found && scene.layers.labels(hit.x, hit.y) == 2;
+    };
+    const auto with = marcher.march(rays, render::MarchMethod::Pyramid);
+    const auto without = marcher.march(rays, render::MarchMethod::Pyramid, {}, 2);
+    EXPECT_TRUE(std::any_of(with.begin(), with.end(), isSphere));
+    EXPECT_FALSE(std::any_of(without.begin(), without.end(), isSphere));
 }
 
 TEST(March, ConstantStepsAgreeOnThickSolids) {
