@@ -175,7 +175,7 @@ struct Builder {
                 if (l + 1 < maps.size()) {
                     const std::uint32_t parent = number(l + 1, {c[0] >> 1, c[1] >> 1, c[2] >> 1});
                     words[DIFFUSION_BRICK_PARENT] = parent;
-                    const auto child = static_cast<std::size_t>((c[0] & 1) + 2 * (c[1] & 1) + 4 * (c[2] & 1));
+                    const auto child = static_cast<unsigned>((c[0] & 1) + 2 * (c[1] & 1) + 4 * (c[2] & 1));
                     grid.words[std::size_t{parent} * DIFFUSION_BRICK_WORDS + DIFFUSION_BRICK_CHILDREN + child] =
                         static_cast<kernel::uint>(brick);
                 }

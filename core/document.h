@@ -29,8 +29,8 @@ class Document {
     void edit(const std::string& label, const std::function<void(Scene&)>& change, const std::string& mergeKey = {});
     void endMerge();
 
-    [[nodiscard]] bool canUndo() const { return undo_.size() > 0; }
-    [[nodiscard]] bool canRedo() const { return redo_.size() > 0; }
+    [[nodiscard]] bool canUndo() const { return !undo_.empty(); }
+    [[nodiscard]] bool canRedo() const { return !redo_.empty(); }
     [[nodiscard]] std::string undoLabel() const;
     [[nodiscard]] std::string redoLabel() const;
     void undo();

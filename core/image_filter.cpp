@@ -106,7 +106,7 @@ class Filter {
                 const int qx = x + dx * step;
                 const int qy = y + dy * step;
                 if (!together(x, y, qx, qy)) continue;
-                float w = kB3Spline[static_cast<std::size_t>(dx + 2)] * kB3Spline[static_cast<std::size_t>(dy + 2)];
+                float w = kB3Spline[static_cast<unsigned>(dx + 2)] * kB3Spline[static_cast<unsigned>(dy + 2)];
                 if (dx != 0 || dy != 0) {
                     const float cosine = std::max(normal.dot(front_.normal(qx, qy)), 0.0f);
                     const float plane = std::abs(normal.dot(front_.position(qx, qy) - position));

@@ -75,7 +75,7 @@ void finishProgress() { progressPrinter().finish(); }
 void catchInterrupts() {
     struct sigaction action {};
     action.sa_handler = onInterrupt;
-    action.sa_flags = SA_RESETHAND | SA_RESTART;
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
     sigaction(SIGINT, &action, nullptr);
 }
 

@@ -53,8 +53,8 @@ std::vector<float> flattenDeepExr(const std::string& path, int part, const std::
         throw std::runtime_error("it is a deep image in tiles, expected scan lines");
     Imf::DeepScanLineInputPart source(file, part);
     const Imath::Box2i window = file.header(part).dataWindow();
-    const auto width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
-    const auto height = static_cast<std::size_t>(window.max.y - window.min.y + 1);
+    const auto width = static_cast<std::size_t>(std::int64_t{window.max.x} - window.min.x + 1);
+    const auto height = static_cast<std::size_t>(std::int64_t{window.max.y} - window.min.y + 1);
     std::vector<float> pixels(width * height * channels.size());
 
     Imf::FrameBuffer target;

@@ -32,8 +32,8 @@ std::optional<RgbChannels> findRgb(const OIIO::ImageSpec& spec) {
 Eigen::Matrix3d xyzFromRgb(const std::array<double, 8>& c) {
     Eigen::Matrix3d primaries;
     for (int i = 0; i < 3; ++i) {
-        const double x = c[static_cast<std::size_t>(2 * i)];
-        const double y = c[static_cast<std::size_t>(2 * i + 1)];
+        const double x = c[static_cast<unsigned>(2 * i)];
+        const double y = c[static_cast<unsigned>(2 * i + 1)];
         primaries.col(i) = Eigen::Vector3d(x / y, 1, (1 - x - y) / y);
     }
     const Eigen::Vector3d white(c[6] / c[7], 1, (1 - c[6] - c[7]) / c[7]);

@@ -57,7 +57,7 @@ Format formatOf(const std::string& path) {
                                       extensionOf(path) + " file, expected " + expected + ".");
 }
 
-OIIO::ImageSpec makeSpec(int width, int height, int channels, OIIO::TypeDesc type, Format format) {
+OIIO::ImageSpec makeSpec(int width, int height, int channels, const OIIO::TypeDesc& type, Format format) {
     OIIO::ImageSpec spec(width, height, channels, type);
     if (format == Format::Exr || format == Format::Tiff) spec["compression"] = "zip";
     if (format == Format::Jpeg) spec["Compression"] = "jpeg:95";
@@ -65,7 +65,7 @@ OIIO::ImageSpec makeSpec(int width, int height, int channels, OIIO::TypeDesc typ
     return spec;
 }
 
-void write(const std::string& path, Format format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
+void write(const std::string& path, Format format, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
            const void* pixels) {
     writeImage(path, pluginName(format), spec, type, pixels);
 }
@@ -102,7 +102,7 @@ void writeIntegers(const std::vector<std::uint16_t>& samples, int width, int hei
 
 }  // namespace
 
-void writeImage(const std::string& path, const char* format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
+void writeImage(const std::string& path, const char* format, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
                 const void* pixels) {
     const auto fail = [&](std::string reason) {
         while (!reason.empty() && (reason.back() == '\n' || reason.back() == '.')) reason.pop_back();
