@@ -23,7 +23,9 @@ inline constexpr long kMaxImagePixels = 200'000'000;
 /// channel is grey. Alpha is ignored. NaN and Inf become 0, negative values are clamped to 0; where that changes much
 /// of the picture, `remarks` says so.
 [[nodiscard]] ImageRgb loadColor(const std::string& path, std::vector<std::string>* remarks = nullptr);
-/// One channel of stored values as float, undecoded (16-bit PNG gives 0..65535); channel Z, else Y, else the first.
+/// One channel of stored values as float, undecoded (16-bit PNG gives 0..65535); channel Z, else Y, else the first. Z
+/// is 0 where channel A beside it tells that a pixel is covered only in part, unless that holds for most of the
+/// picture.
 [[nodiscard]] ImageF loadScalar(const std::string& path);
 /// Bits per sample of the file's stored values, and whether they are floating point.
 struct StoredFormat {
