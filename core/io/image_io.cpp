@@ -140,21 +140,6 @@ ImageRgb readColor(ImageReader& reader, ColorFaults* faults = nullptr) {
     return applyOrientation(std::move(image), reader.orientation());
 }
 
-/// Takes the depth from pixels that surfaces cover only in part (antialiased, moving or out of focus ones): it is a
-/// mixture or of one sample. Where most of the picture is not opaque, alpha is no coverage, and all depth stays.
-void dropMixedDepth(ImageF& depth, const ImageF& alpha) {
-    constexpr float kOpaque = 0.99f;
-    std::size_t opaque = 0, count = 0;
-    for (std::size_t i = 0; i < depth.size(); ++i) {
-        if (!(depth[i] > 0)) continue;
-        ++count;
-        if (alpha[i] >= kOpaque) ++opaque;
-    }
-    if (2 * opaque < count) return;
-    for (std::size_t i = 0; i < depth.size(); ++i)
-        if (!(alpha[i] >= kOpaque)) depth[i] = 0;
-}
-
 ImageF readScalar(ImageReader& reader) {
     int channel = 0;
     for (const char* name : {"Z", "Y"}) {
@@ -163,11 +148,7 @@ ImageF readScalar(ImageReader& reader) {
         channel = findChannel(reader.spec(), name);
         break;
     }
-    ImageF values = reader.readChannel(channel);
-    const int alpha = findChannel(reader.spec(), "A");
-    if (alpha >= 0 && channel == findChannel(reader.spec(), "Z") && !reader.spec().deep)
-        dropMixedDepth(values, reader.readChannel(alpha));
-    return applyOrientation(std::move(values), reader.orientation());
+    return applyOrientation(reader.readChannel(channel), reader.orientation());
 }
 
 ImageInfo readInfo(ImageReader& reader) {
@@ -210,6 +191,15 @@ ImageF loadScalar(const std::string& path) {
 ImageF loadScalar(EmbeddedImage image) {
     ImageReader reader(std::move(image));
     return readScalar(reader);
+}
+
+ImageF loadCoverage(const std::string& path) {
+    ImageReader reader(path);
+    const auto hasBoth = [](const OIIO::ImageSpec& spec) {
+        return !spec.deep && findChannel(spec, "Z") >= 0 && findChannel(spec, "A") >= 0;
+    };
+    if (!reader.seekPart(hasBoth)) return {};
+    return applyOrientation(reader.readChannel(findChannel(reader.spec(), "A")), reader.orientation());
 }
 
 ImageInfo readImageInfo(const std::string& path) {

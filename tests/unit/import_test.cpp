@@ -363,6 +363,24 @@ TEST_F(ImportTest, Base64) {
     EXPECT_EQ(core::decodeBase64("UG=F0"), std::nullopt);
 }
 
+TEST_F(ImportTest, DepthOfPixelsCoveredInPartIsNotUsed) {
+    const auto read = [&](const std::vector<float>& alphas) {
+        OIIO::ImageSpec spec(4, 1, 5, OIIO::TypeFloat);
+        spec.channelnames = {"R", "G", "B", "A", "Z"};
+        std::vector<float> pixels;
+        for (const float alpha : alphas) pixels.insert(pixels.end(), {alpha, 0, 0, alpha, 5});
+        test::writeWith("openexr", folder / "a.exr", spec, OIIO::TypeFloat, pixels.data());
+        core::CreateOptions options;
+        options.color = folder / "a.exr";
+        const core::ImageF depth = core::createScene(options).photo->depth;
+        return std::vector<float>(depth.pixels().begin(), depth.pixels().end());
+    };
+    EXPECT_EQ(read({1, 0.999f, 0.5f, 1}), (std::vector<float>{5, 5, 0, 5}));
+    // A body of glass, or a file whose alpha is none.
+    EXPECT_EQ(read({0.5f, 0.25f, 1, 0.5f}), (std::vector<float>{5, 5, 5, 5}));
+    EXPECT_EQ(read({0, 0, 0, 0}), (std::vector<float>{5, 5, 5, 5}));
+}
+
 TEST_F(ImportTest, DeepExrIsFlattenedToOneSurfaceAPixel) {
     OIIO::ImageSpec spec(4, 2, 5, OIIO::TypeFloat);
     spec.channelnames = {"R", "G", "B", "A", "Z"};

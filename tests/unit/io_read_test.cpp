@@ -234,22 +234,6 @@ TEST_F(ReadTest, ScalarTakesZThenYThenFirst) {
     EXPECT_EQ(write({"P", "Q", "S"}), 1);
 }
 
-TEST_F(ReadTest, DepthOfPixelsCoveredInPartIsNone) {
-    const auto read = [&](std::vector<float> alphas) {
-        OIIO::ImageSpec spec(4, 1, 2, OIIO::TypeFloat);
-        spec.channelnames = {"A", "Z"};
-        std::vector<float> pixels;
-        for (const float alpha : alphas) pixels.insert(pixels.end(), {alpha, 5});
-        test::writeWith("openexr", folder / "a.exr", spec, OIIO::TypeFloat, pixels.data());
-        const core::ImageF depth = core::loadScalar(folder / "a.exr");
-        return std::vector<float>(depth.pixels().begin(), depth.pixels().end());
-    };
-    EXPECT_EQ(read({1, 0.999f, 0.5f, 1}), (std::vector<float>{5, 5, 0, 5}));
-    // A body of glass, or a file whose alpha is none.
-    EXPECT_EQ(read({0.5f, 0.25f, 1, 0.5f}), (std::vector<float>{5, 5, 5, 5}));
-    EXPECT_EQ(read({0, 0, 0, 0}), (std::vector<float>{5, 5, 5, 5}));
-}
-
 TEST_F(ReadTest, ScalarKeepsStoredIntegers) {
     test::writeBytes(folder / "d.png", test::pngBytes(3, 1, 16, 0, {std::string("\x00\x01\x1f\x5a\xff\xff", 6)}));
     const core::ImageF depth = core::loadScalar(folder / "d.png");
