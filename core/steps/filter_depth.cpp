@@ -171,10 +171,10 @@ ImageF filterByHand(ImageF w, AnalysisKernels::DepthFilter& filter, const DepthF
 
 /// Continues segments into what the sensor missed beside their surfaces.
 void continueSegments(ImageF& depth, const Photo& photo, const StepContext& context) {
-    constexpr int kMargin = 8;       // [px] at least, and samples of the depth map
+    constexpr int kGapMargin = 8;    // [px] at least, and samples of the depth map
     constexpr int kReachParts = 30;  // the longer side over it
     DepthGaps gaps{Image<std::uint8_t>(depth.width(), depth.height(), 0),
-                   kMargin * std::max(1, static_cast<int>(std::lround(photo.depthStep))),
+                   kGapMargin * std::max(1, static_cast<int>(std::lround(photo.depthStep))),
                    std::max(depth.width(), depth.height()) / kReachParts};
     for (std::size_t i = 0; i < depth.size(); ++i) gaps.isGap[i] = photo.labels[i] != 0 && depth[i] <= 0 ? 1 : 0;
     continueDepth(depth, photo.labels, photo.camera, gaps, {context, kFilterDepthStep, 1.0f, 1.0f});
