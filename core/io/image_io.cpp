@@ -193,6 +193,15 @@ ImageF loadScalar(EmbeddedImage image) {
     return readScalar(reader);
 }
 
+ImageF loadCoverage(const std::string& path) {
+    ImageReader reader(path);
+    const auto hasBoth = [](const OIIO::ImageSpec& spec) {
+        return !spec.deep && findChannel(spec, "Z") >= 0 && findChannel(spec, "A") >= 0;
+    };
+    if (!reader.seekPart(hasBoth)) return {};
+    return applyOrientation(reader.readChannel(findChannel(reader.spec(), "A")), reader.orientation());
+}
+
 ImageInfo readImageInfo(const std::string& path) {
     ImageReader reader(path);
     return readInfo(reader);

@@ -25,6 +25,8 @@ inline constexpr long kMaxImagePixels = 200'000'000;
 [[nodiscard]] ImageRgb loadColor(const std::string& path, std::vector<std::string>* remarks = nullptr);
 /// One channel of stored values as float, undecoded (16-bit PNG gives 0..65535); channel Z, else Y, else the first.
 [[nodiscard]] ImageF loadScalar(const std::string& path);
+/// Channel A beside channel Z of a flat image: the share of each pixel that is covered. Empty where there is none.
+[[nodiscard]] ImageF loadCoverage(const std::string& path);
 /// Bits per sample of the file's stored values, and whether they are floating point.
 struct StoredFormat {
     int bits = 8;

@@ -214,6 +214,23 @@ std::optional<ImportedPhoto> importPhoto(const PhotoSource& source) {
                 "\"" + path + "\" contains no depth map (" + known + "), and no depth image is given.");
 }
 
+/// Takes the depth from pixels that surfaces cover only in part (antialiased, moving or out of focus ones): it is a
+/// mixture or of one sample. Where most of the picture is not opaque, alpha is no coverage, and all depth stays.
+ImageF withoutMixedDepth(ImageF depth, const ImageF& coverage) {
+    constexpr float kOpaque = 0.99f;
+    if (!coverage.sameSize(depth)) return depth;
+    std::size_t opaque = 0, count = 0;
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        if (!(depth[i] > 0)) continue;
+        ++count;
+        if (coverage[i] >= kOpaque) ++opaque;
+    }
+    if (2 * opaque < count) return depth;
+    for (std::size_t i = 0; i < depth.size(); ++i)
+        if (!(coverage[i] >= kOpaque)) depth[i] = 0;
+    return depth;
+}
+
 /// Depth from inside the photograph's file; completes `source` by what the file says.
 ImageF importedDepth(const ImportedPhoto& imported, const PhotoRequest& request, PhotoSource& source,
                      const Camera& camera, std::vector<std::string>* notes) {
@@ -227,7 +244,8 @@ ImageF importedDepth(const ImportedPhoto& imported, const PhotoRequest& request,
     const auto given = requestedUnit(request);
     source.depthUnit = given.value_or(imported.unit);
     if (!given && !imported.assumedUnit.empty()) note(notes, imported.assumedUnit);
-    const ImageF stored = matchOrientation(imported.depth, source.color, "Depth image", camera, 1, 1, source.color);
+    const ImageF stored = matchOrientation(withoutMixedDepth(imported.depth, imported.coverage), source.color,
+                                           "Depth image", camera, 1, 1, source.color);
     return planarDepthInside(camera, stored, source.depthKind, source.depthUnit);
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/analysis_kernels.h"
 #include "core/parallel.h"
+#include "core/steps/continue_depth.h"
 #include "core/steps/distant_pixels.h"
 #include "core/steps/flying_pixels.h"
 #include "core/steps/membrane.h"
@@ -166,6 +167,17 @@ ImageF filterByHand(ImageF w, AnalysisKernels::DepthFilter& filter, const DepthF
     const float colorFactor = 1 / (kLimit * kLimit * colorSigma * colorSigma);
     for (int k = 0; k < passes; ++k) w = filter.run(makePass(1 << k, sigma, range, colorFactor), w, partOf(k, context));
     return w;
+}
+
+/// Continues segments into what the sensor missed beside their surfaces.
+void continueSegments(ImageF& depth, const Photo& photo, const StepContext& context) {
+    constexpr int kGapMargin = 8;    // [px] at least, and samples of the depth map
+    constexpr int kReachParts = 30;  // the longer side over it
+    DepthGaps gaps{Image<std::uint8_t>(depth.width(), depth.height(), 0),
+                   kGapMargin * std::max(1, static_cast<int>(std::lround(photo.depthStep))),
+                   std::max(depth.width(), depth.height()) / kReachParts};
+    for (std::size_t i = 0; i < depth.size(); ++i) gaps.isGap[i] = photo.labels[i] != 0 && depth[i] <= 0 ? 1 : 0;
+    continueDepth(depth, photo.labels, photo.camera, gaps, {context, kFilterDepthStep, 1.0f, 1.0f});
 }
 
 }  // namespace
@@ -345,7 +357,7 @@ Step filterDepthStep() {
         const DepthNoise noise = estimateDepthNoise(inverseOf(depth), photo.labels, photo.depthStep, context);
         const bool measured = noise.relative > 0 || photo.depthStep > 1;
         if (board.scene->depthFilter.enabled && measured)
-            removeFlyingPixels(depth, photo.labels, photo.camera, context);
+            removeFlyingPixels(depth, photo.labels, photo.camera, photo.depthStep, context);
         result->depth = filterDepth(depth, photo.color, photo.labels, photo.camera, board.scene->depthFilter, noise,
                                     photo.depthStep, context);
         result->relativeNoise = noise.relative;
@@ -356,6 +368,7 @@ Step filterDepthStep() {
         }
         if (board.scene->depthFilter.enabled)
             fillSmallHoles(result->depth, photo.labels, board.scene->depthFilter.holeRadius);
+        continueSegments(result->depth, photo, context);
         completeSegments(result->depth, photo.labels, context);
         result->distant = findDistantPixels(result->depth);
         board.depth = std::move(result);

@@ -50,9 +50,9 @@ struct FilterPass {
 void fillSmallHoles(ImageF& depth, const LabelImage& labels, int radius);
 
 /// Gives every labelled pixel a depth when its segment has any: a membrane (Laplace's equation in inverse depth) over
-/// the segment's valid pixels. Sensors miss glossy, dark and thin parts and the strip beside an outline; a pixel that
-/// the user marked belongs to its object all the same, and would keep its old material otherwise. Unlabelled pixels
-/// stay distant.
+/// the segment's valid pixels, for what `continueDepth` leaves. Sensors miss glossy, dark and thin parts and the strip
+/// beside an outline; a pixel that the user marked belongs to its object all the same, and would keep its old material
+/// otherwise. Unlabelled pixels stay distant.
 void completeSegments(ImageF& depth, const LabelImage& labels, const StepContext& context = StepContext());
 
 }  // namespace core::steps

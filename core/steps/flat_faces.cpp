@@ -33,6 +33,24 @@ float tolerance(const SegmentPixels& segment, Pixel pixel) {
     return kTolerance * segment.footprint(p.z()) * std::max(1.0f, 0.5f / std::max(facing, kFacing));
 }
 
+/// How far [m] along the face's normal the visible face beside it reaches at an outline pixel: to the border of the
+/// pixel, between the last centre inside and the first outside.
+float reachAt(const SegmentPixels& segment, Pixel pixel, const HiddenFace& face) {
+    const Vector3f& p = segment.front.position(pixel.x, pixel.y);
+    const Vector3f& normal = segment.front.normal(pixel.x, pixel.y);
+    const Camera& camera = segment.camera;
+    float reach = face.normal.dot(p);
+    for (const Pixel& step : kNeighbors) {
+        if (beyond(segment, pixel, step) != Beyond::Outline) continue;
+        const Vector3f ray =
+            camera.pixelRay(pixel.x, pixel.y) +
+            Vector3f(0.5f * static_cast<float>(step.x) / camera.fx, 0.5f * static_cast<float>(step.y) / camera.fy, 0);
+        const float slope = normal.dot(ray);
+        if (slope < 0) reach = std::max(reach, face.normal.dot(ray) * normal.dot(p) / slope);
+    }
+    return reach;
+}
+
 /// The hidden face behind one outline pixel, when a flat face ends there in a straight edge.
 std::optional<HiddenFace> faceBehind(const SegmentPixels& segment, const Image<std::uint8_t>& outline, Pixel pixel,
                                      int radius) {
@@ -132,7 +150,7 @@ FlatFaces continueFlatFaces(const SegmentPixels& segment) {
         for (Candidate& c : candidates) {
             if (c.taken || !agrees(seed, c)) continue;
             c.taken = true;
-            offsets.push_back(face.normal.dot(segment.front.position(c.pixel.x, c.pixel.y)));
+            offsets.push_back(reachAt(segment, c.pixel, face));
         }
         const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
         std::nth_element(offsets.begin(), middle, offsets.end());

@@ -94,6 +94,17 @@ class Outlines {
         return fall > kFlyingShare && fall > 0.5f * jump ? Edge::Flying : Edge::Clean;
     }
 
+    /// Whether the segment comes nearer than relief does within `distance` pixels.
+    [[nodiscard]] bool isSteep(int x, int y, int distance) const {
+        const float z = depth_(x, y);
+        return std::ranges::any_of(kNeighbors, [&](Pixel step) {
+            const int u = x + distance * step.x;
+            const int v = y + distance * step.y;
+            if (!depth_.contains(u, v) || labels_(u, v) != labels_(x, y) || depth_(u, v) <= 0) return false;
+            return z - depth_(u, v) > kGapSlope * static_cast<float>(distance) * footprint_ * z;
+        });
+    }
+
     /// Whether depth goes on across the outline and comes back to the segment farther in.
     [[nodiscard]] bool hasStrip(int x, int y) const {
         return std::ranges::any_of(kNeighbors, [&](Pixel inwards) { return stripWidth(x, y, inwards) > 0; });
@@ -137,7 +148,8 @@ class Outlines {
 
 }  // namespace
 
-void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& camera, const StepContext& context) {
+void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& camera, float pixelsPerSample,
+                        const StepContext& context) {
     const std::vector<bool> supports = findSupports(labels);
     const ImageF measured = depth;
     const Outlines outlines(measured, labels, camera);
@@ -193,6 +205,26 @@ void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& c
                 if (between.share(measured(u, v)) > kRemovedShare) ramp(u, v) = 1;
             });
         }
+    }
+    // A map that was enlarged has its ramps drawn out: they go on as long as depth falls faster than relief does.
+    const int drawnOut = pixelsPerSample > 1 ? reach : 0;
+    std::vector<Pixel> front, next;
+    for (int y = 0; y < depth.height(); ++y)
+        for (int x = 0; x < depth.width(); ++x)
+            if (ramp(x, y) == 1) front.push_back({x, y});
+    for (int k = 0; k < drawnOut && !front.empty(); ++k) {
+        next.clear();
+        for (const auto& [x, y] : front)
+            for (const Pixel& step : kNeighbors) {
+                const int u = x + step.x;
+                const int v = y + step.y;
+                if (!labels.contains(u, v) || labels(u, v) != labels(x, y) || ramp(u, v) == 1 || measured(u, v) <= 0 ||
+                    !outlines.isSteep(u, v, foot))
+                    continue;
+                ramp(u, v) = 1;
+                next.push_back({u, v});
+            }
+        front.swap(next);
     }
     // What remains of a ramp is less than can be told from relief: the foot goes with the rest.
     for (int y = 0; y < depth.height(); ++y)

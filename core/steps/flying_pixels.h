@@ -13,7 +13,9 @@ namespace core::steps {
 /// what is behind, and depth does not jump where the outline is; where most of the outline near by is so, all that lies
 /// as far back there is removed.
 /// The rim of a round object does fall away too, but jumps to the background at its outline. Supports (tables, walls)
-/// and what is not labelled are left alone. `depth`: planar z [m], 0 = none.
-void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& camera, const StepContext& context);
+/// and what is not labelled are left alone. `depth`: planar z [m], 0 = none. `pixelsPerSample`: as Photo::depthStep;
+/// the ramps of enlarged maps are followed as far as they are steeper than relief.
+void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& camera, float pixelsPerSample,
+                        const StepContext& context);
 
 }  // namespace core::steps

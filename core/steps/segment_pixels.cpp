@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/steps/segment_pixels.h"
 
+#include <cmath>
+
 namespace core::steps {
 namespace {
 
@@ -22,6 +24,15 @@ Beyond beyond(const SegmentPixels& segment, Pixel pixel, Pixel step) {
     const float own = segment.front.depth(pixel.x, pixel.y);
     const float nearest = segment.supports[there] ? -kTouchingSupport : kBehind;
     return z < own + nearest * segment.footprint(own) ? Beyond::Unknown : Beyond::Outline;
+}
+
+bool touchesSupport(const SegmentPixels& segment, Pixel pixel, Pixel step) {
+    const int x = pixel.x + step.x;
+    const int y = pixel.y + step.y;
+    if (!segment.labels.contains(x, y) || !segment.supports[segment.labels(x, y)]) return false;
+    const float z = segment.front.depth(x, y);
+    const float own = segment.front.depth(pixel.x, pixel.y);
+    return z > 0 && std::abs(z - own) < kTouchingSupport * segment.footprint(own);
 }
 
 }  // namespace core::steps

@@ -56,5 +56,7 @@ enum class Beyond {
     Unknown,  ///< the picture ends, or something nearer hides where the object ends
 };
 [[nodiscard]] Beyond beyond(const SegmentPixels& segment, Pixel pixel, Pixel step);
+/// Whether the segment ends beyond a side of a pixel because what it stands on begins there.
+[[nodiscard]] bool touchesSupport(const SegmentPixels& segment, Pixel pixel, Pixel step);
 
 }  // namespace core::steps

@@ -22,14 +22,19 @@ constexpr float kFarthestBack = 0.2f;  ///< back no farther than this part of th
 using Cell = MembraneCell;
 using Kind = MembraneCell::Kind;
 
+/// Whether the surface turns away from the camera at a pixel.
+bool turnsAway(const SegmentPixels& segment, Pixel pixel) {
+    const Vector3f view = segment.camera.pixelRay(pixel.x, pixel.y).normalized();
+    return -segment.front.normal(pixel.x, pixel.y).dot(view) <= kTurningAway;
+}
+
 /// Inverse depth of the outline beside an outline pixel.
 float outlineInverseDepth(const SegmentPixels& segment, Pixel pixel, Pixel step) {
     const auto& [x, y] = pixel;
     const float z = segment.front.depth(x, y);
-    const Vector3f view = segment.camera.pixelRay(x, y).normalized();
     const int ix = x - 2 * step.x;
     const int iy = y - 2 * step.y;
-    if (-segment.front.normal(x, y).dot(view) > kTurningAway || !segment.contains(ix, iy)) return 1 / z;
+    if (!turnsAway(segment, pixel) || !segment.contains(ix, iy)) return 1 / z;
     const float fall = z - segment.front.depth(ix, iy);
     if (fall <= 0 || fall > kLargestStep * segment.footprint(z)) return 1 / z;
     return 1 / (z + kToOutline * fall);
@@ -84,10 +89,11 @@ SpannedMirror mirrorAtSpannedSurface(const SegmentPixels& segment, float shift, 
         float sum = 0;
         int count = 0;
         bool hidden = false;
+        const bool away = turnsAway(segment, pixel);
         for (const Pixel& step : kNeighbors) {
             const Beyond there = beyond(segment, pixel, step);
             hidden = hidden || there == Beyond::Unknown;
-            if (there != Beyond::Outline) continue;
+            if (there != Beyond::Outline || (!away && touchesSupport(segment, pixel, step))) continue;
             sum += outlineInverseDepth(segment, pixel, step);
             ++count;
         }

@@ -11,7 +11,8 @@ namespace core::steps {
 /// depth when it is an ellipsoid, a cylinder or a cone (the outline is then the polar plane of the eye), and nearly so
 /// when it is round; parts that lie at different depths get a mirror each, and the back always meets the front at the
 /// outline. The surface is the plane that fits the outline best plus a membrane (Laplace's equation) through the rest;
-/// where the end of the object is hidden or out of the picture nothing is prescribed.
+/// where the end of the object is hidden or out of the picture, or it does not end but stands on its support, facing
+/// the camera, nothing is prescribed.
 struct SpannedMirror {
     BackSamples samples;  ///< no normals
     float error = 0;      ///< C: fraction of the front behind the surface

@@ -185,9 +185,10 @@ inline HevcPicture encodeHevc(int width, int height, const std::vector<std::vect
 }
 
 /// A HEIC file: `color` is the primary picture, `gain` and `depth` are auxiliary ones, in this order, and `xmp`
-/// describes the depth. `turns` counter-clockwise quarter turns are applied to all when they are shown.
+/// describes the depth. `turns` counter-clockwise quarter turns are applied to all when they are shown. `primaries` and
+/// `transfer` are what an nclx box says of the colour, unspecified by default.
 inline std::string heicFile(const HevcPicture& color, const HevcPicture& gain, const HevcPicture& depth,
-                            const std::string& xmp, int turns) {
+                            const std::string& xmp, int turns, std::size_t primaries = 2, std::size_t transfer = 2) {
     const std::string none(4, '\0');  // version and flags
     const auto extent = [&](const HevcPicture& picture) {
         return box("ispe", none + bigEndian32(static_cast<std::uint32_t>(picture.width)) +
@@ -197,13 +198,14 @@ inline std::string heicFile(const HevcPicture& color, const HevcPicture& gain, c
     const std::string properties = box(
         "ipco", color.configuration + extent(color) + gain.configuration + extent(gain) +
                     auxiliary("urn:com:apple:photo:2020:aux:hdrgainmap") + depth.configuration + extent(depth) +
-                    auxiliary("urn:mpeg:hevc:2015:auxid:2") + box("irot", std::string(1, static_cast<char>(turns))));
+                    auxiliary("urn:mpeg:hevc:2015:auxid:2") + box("irot", std::string(1, static_cast<char>(turns))) +
+                    box("colr", "nclx" + bigEndian16(primaries) + bigEndian16(transfer) + bigEndian16(6) + '\x80'));
     std::string association = none + bigEndian32(3);
     const auto associate = [&](int item, std::vector<int> indices) {
         association += bigEndian16(static_cast<std::size_t>(item)) + static_cast<char>(indices.size());
         for (const int index : indices) association += static_cast<char>(index | 0x80);
     };
-    associate(1, {1, 2, 9});
+    associate(1, {1, 2, 9, 10});
     associate(2, {3, 4, 5, 9});
     associate(3, {6, 7, 8, 9});
 

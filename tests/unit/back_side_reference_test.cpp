@@ -26,7 +26,8 @@ using core::BackSideMethod;
 constexpr std::array kMethods{BackSideMethod::Offset,        BackSideMethod::ParallelMirror, BackSideMethod::PcaMirror,
                               BackSideMethod::SpannedMirror, BackSideMethod::FlatFaces,      BackSideMethod::Automatic};
 
-/// Where the automatic choice is known to miss the best method by more than a tenth of the thickness; why is not known.
+/// Where the automatic choice is known to miss the best method by more than a tenth of the thickness; why:
+/// docs/evaluation.md.
 const std::set<std::string> kKnownMisses{"studio/bag"};
 const std::set<std::string> kConvex{"synthetic/sphere_bag/sphere",
                                     "synthetic/buddha/chrome_ball",

@@ -208,6 +208,26 @@ TEST(BackSideShapes, BoxesOnATableAreContinuedAtRightAngles) {
     }
 }
 
+TEST(BackSideShapes, FacesEndAtTheBorderOfTheirLastPixels) {
+    test::RayScene scene = kTable.with(std::make_shared<test::Box>(
+        kTable.top + 0.08 * kTable.up, Vector3d(0.1, 0.08, 0.07), kTable.tilt * test::rotation(0.5, {0, 1, 0})));
+    scene.camera = test::testCamera(160, 120);
+    const Result result = invent(View(scene));
+    EXPECT_EQ(result.info().used, BackSideMethod::FlatFaces);
+    EXPECT_LT(result.error(), 0.03f) << "half a pixel at each end";
+}
+
+TEST(BackSideShapes, WhereTheSupportCutsItOffNothingIsPrescribed) {
+    // An upright cylinder: its front meets the table facing the camera, and goes on behind that line.
+    const Result result =
+        invent(View(kTable.with(std::make_shared<Cylinder>(kTable.top + 0.08 * kTable.up, kTable.up, 0.08, 0.08))), [] {
+            core::BackSideParams params;
+            params.method = BackSideMethod::SpannedMirror;
+            return params;
+        }());
+    EXPECT_LT(result.error(), 0.13f) << "0.18 when the mirror is held at that line";
+}
+
 TEST(BackSideShapes, NothingSinksThroughTheTableByAnyMethod) {
     const test::RayScene scene =
         kTable.with(std::make_shared<Cylinder>(kTable.top + 0.08 * kTable.up, kTable.up, 0.08, 0.08));

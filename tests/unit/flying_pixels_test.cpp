@@ -59,7 +59,7 @@ double wrongPart(const ImageF& depth, const ImageF& truth, const core::LabelImag
 
 double wrongPartAfterRemoval(ImageF depth, const ImageF& truth, const core::LabelImage& labels,
                              const core::Camera& camera, float limit) {
-    core::steps::removeFlyingPixels(depth, labels, camera, {});
+    core::steps::removeFlyingPixels(depth, labels, camera, 1, {});
     core::steps::completeSegments(depth, labels);
     return wrongPart(depth, truth, labels, limit);
 }
@@ -68,12 +68,12 @@ TEST(FlyingPixels, ExactOutlinesAreLeftAlone) {
     const test::RayScene scene = thingsBeforeAWall();
     const core::Photo photo = scene.photograph();
     ImageF depth = photo.depth;
-    core::steps::removeFlyingPixels(depth, photo.labels, photo.camera, {});
+    core::steps::removeFlyingPixels(depth, photo.labels, photo.camera, 1, {});
     EXPECT_EQ(depth, photo.depth);
 
     const core::Photo still = test::stillLife(test::testCamera(320, 240)).photograph();
     depth = still.depth;
-    core::steps::removeFlyingPixels(depth, still.labels, still.camera, {});
+    core::steps::removeFlyingPixels(depth, still.labels, still.camera, 1, {});
     EXPECT_EQ(depth, still.depth);
 }
 
@@ -110,7 +110,7 @@ TEST(FlyingPixels, AGenerousOutlineTakesNoBackgroundIn) {
                     if (generous.contains(x + dx, y + dy) && photo.labels(x + dx, y + dy) > 1)
                         generous(x, y) = photo.labels(x + dx, y + dy);
     ImageF depth = photo.depth;
-    core::steps::removeFlyingPixels(depth, generous, photo.camera, {});
+    core::steps::removeFlyingPixels(depth, generous, photo.camera, 1, {});
     core::steps::completeSegments(depth, generous);
     for (std::size_t i = 0; i < depth.size(); ++i) {
         if (generous[i] > 1) {
@@ -157,7 +157,7 @@ TEST(FlyingPixels, AStripOfTheFloorBehindIsRemoved) {
     }
     ASSERT_GT(strip, 100);
     ImageF depth = measured;
-    core::steps::removeFlyingPixels(depth, photo.labels, photo.camera, {});
+    core::steps::removeFlyingPixels(depth, photo.labels, photo.camera, 1, {});
     int left = 0, lost = 0;
     for (std::size_t i = 0; i < depth.size(); ++i) {
         if (photo.labels[i] < 2 || measured[i] <= 0) continue;

@@ -228,6 +228,41 @@ TEST_F(ImportTest, HeicTakesTheDepthAndNotTheGainMap) {
     EXPECT_EQ(*turned.camera, (core::Camera{h, w, 101, 100, h - 40, 60}));
 }
 
+TEST_F(ImportTest, HeicColorIsDecodedByItsNclx) {
+    const int w = 64;
+    std::vector<std::vector<std::uint8_t>> planes(3);
+    const std::vector<std::uint8_t> patch{160, 100, 60};
+    for (std::size_t c = 0; c < 3; ++c) planes[c].assign(static_cast<std::size_t>(w * w), patch[c]);
+    const test::HevcPicture color = test::encodeHevc(w, w, planes);
+    const test::HevcPicture grey = test::encodeHevc(w, w, {planes[0]});
+    const std::string apple = test::appleXmp("1", "3", w, w, {100, 0, 0, 0, 101, 0, 60, 40, 1});
+    const auto read = [&](std::size_t primaries, std::size_t transfer) -> core::Vector3f {
+        test::writeBytes(folder / "c.heic", test::heicFile(color, grey, grey, apple, 0, primaries, transfer));
+        return import(folder / "c.heic", "HEIC").color(32, 32);
+    };
+    // What the encoder makes of the patch: the same bytes as linear light of Rec.709.
+    const core::Vector3f coded = read(1, 8);
+    ASSERT_NEAR(coded.x(), 160 / 255.0, 0.02);
+    const auto each = [&](const auto& decode) -> core::Vector3f { return coded.unaryExpr(decode); };
+    const auto expect = [](const core::Vector3f& a, const core::Vector3f& b) {
+        EXPECT_LT((a - b).norm(), 2e-3f) << a.transpose() << " against " << b.transpose();
+    };
+    const core::Vector3f srgb = each([](float v) { return core::srgbDecode(v); });
+    expect(read(1, 13), srgb);
+    expect(read(2, 2), srgb);
+    expect(read(1, 1), each([](float v) { return std::pow((v + 0.0993f) / 1.0993f, 1 / 0.45f); }));
+    expect(read(1, 4), each([](float v) { return std::pow(v, 2.2f); }));
+    // Linear P3 with white D65 to linear Rec.709 (SMPTE EG 432-1), and Rec.2020 (ITU-R BT.2087).
+    Eigen::Matrix3f p3, rec2020;
+    p3 << 1.2249f, -0.2247f, 0, -0.0420f, 1.0419f, 0, -0.0197f, -0.0786f, 1.0979f;
+    rec2020 << 1.6605f, -0.5876f, -0.0728f, -0.1246f, 1.1329f, -0.0083f, -0.0182f, -0.1006f, 1.1187f;
+    expect(read(12, 13), p3 * srgb);
+    expect(read(9, 8), (rec2020 * coded).cwiseMax(0.0f));
+    for (const std::size_t transfer : {9U, 16U, 18U})
+        test::expectError(ErrorKind::Input, {"c.heic", "transfer function " + std::to_string(transfer)},
+                          [&] { read(1, transfer); });
+}
+
 namespace {
 
 /// A raster of points seen by a pin-hole camera, f = 20 x 25 px, c = (9.25, 7.5); every seventh is missing.
@@ -326,6 +361,24 @@ TEST_F(ImportTest, Base64) {
     EXPECT_EQ(core::decodeBase64(test::base64(std::string("\0\xff\x80", 3) + "x")), std::string("\0\xff\x80", 3) + "x");
     EXPECT_EQ(core::decodeBase64("UGF0*W5h"), std::nullopt);
     EXPECT_EQ(core::decodeBase64("UG=F0"), std::nullopt);
+}
+
+TEST_F(ImportTest, DepthOfPixelsCoveredInPartIsNotUsed) {
+    const auto read = [&](const std::vector<float>& alphas) {
+        OIIO::ImageSpec spec(4, 1, 5, OIIO::TypeFloat);
+        spec.channelnames = {"R", "G", "B", "A", "Z"};
+        std::vector<float> pixels;
+        for (const float alpha : alphas) pixels.insert(pixels.end(), {alpha, 0, 0, alpha, 5});
+        test::writeWith("openexr", folder / "a.exr", spec, OIIO::TypeFloat, pixels.data());
+        core::CreateOptions options;
+        options.color = folder / "a.exr";
+        const core::ImageF depth = core::createScene(options).photo->depth;
+        return std::vector<float>(depth.pixels().begin(), depth.pixels().end());
+    };
+    EXPECT_EQ(read({1, 0.999f, 0.5f, 1}), (std::vector<float>{5, 5, 0, 5}));
+    // A body of glass, or a file whose alpha is none.
+    EXPECT_EQ(read({0.5f, 0.25f, 1, 0.5f}), (std::vector<float>{5, 5, 5, 5}));
+    EXPECT_EQ(read({0, 0, 0, 0}), (std::vector<float>{5, 5, 5, 5}));
 }
 
 TEST_F(ImportTest, DeepExrIsFlattenedToOneSurfaceAPixel) {

@@ -98,6 +98,35 @@ TEST(SettleNormals, ABrokenRimFollowsWhatIsBesideIt) {
         }
 }
 
+TEST(SettleNormals, DepthFollowsTheNormals) {
+    const Shown truth = shown(
+        [](float u, float v) -> Vector3f { return std::hypot(u, v) < 1 ? Vector3f(0, 0, -1) : Vector3f(0, 0, 0); });
+    Shown broken = truth;
+    std::mt19937 random(2);
+    std::normal_distribution<float> spread(0, 1);
+    std::vector<std::size_t> wrong;
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x) {
+            const float r = std::hypot(centred(x), centred(y));
+            if (r >= kRadius || r < kRadius - 6) continue;
+            Vector3f n(spread(random), spread(random), spread(random));
+            n.z() = -std::abs(n.z()) - 0.1f;
+            broken.surface.normal(x, y) = n.normalized();
+            const float z = 1 + 0.01f * std::abs(spread(random));
+            broken.surface.depth(x, y) = z;
+            broken.surface.position(x, y) = broken.camera.backProject(x, y, z);
+            wrong.push_back(broken.labels.index(x, y));
+        }
+    const core::StepContext context;
+    core::steps::settleNormals(broken.surface, broken.labels, broken.camera, 1, {context, "test"});
+    std::vector<float> off;
+    for (const std::size_t i : wrong) {
+        off.push_back(std::abs(broken.surface.depth[i] - 1));
+        EXPECT_EQ(broken.surface.position[i].z(), broken.surface.depth[i]);
+    }
+    EXPECT_LT(median(off), 2e-4) << "rays that start in a dent hit its walls";
+}
+
 TEST(SettleNormals, CreasesRimsAndWhatHasNoLabelStay) {
     const core::StepContext context;
     for (const auto& normal : {sphere, crease}) {

@@ -18,6 +18,7 @@ ImportedPhoto readExrDepth(const ImportFile& file) {
     photo.color = loadColor(file.path(), &photo.remarks);
     photo.clipLevel = std::numeric_limits<float>::infinity();
     photo.depth = loadScalar(file.path());
+    photo.coverage = loadCoverage(file.path());
     photo.focal35mm = readImageInfo(file.path()).focal35mm;
     return photo;
 }

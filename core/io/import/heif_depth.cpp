@@ -185,11 +185,19 @@ class HeifReader {
         heif_color_profile_nclx* found = nullptr;
         if (heif_image_handle_get_nclx_color_profile(primary_.get(), &found).code == heif_error_Ok) {
             const Owned<heif_color_profile_nclx> nclx(found);
-            const auto transfer = nclx->transfer_characteristics;
-            if (transfer == heif_transfer_characteristic_ITU_R_BT_2100_0_PQ ||
-                transfer == heif_transfer_characteristic_ITU_R_BT_2100_0_HLG)
-                file_.fail("its colours have the transfer function PQ or HLG, expected sRGB or an ICC profile");
-            if (transfer == heif_transfer_characteristic_linear) return;
+            CodedRgb space;
+            space.transfer = static_cast<std::uint16_t>(nclx->transfer_characteristics);
+            if (nclx->color_primaries != heif_color_primaries_unspecified) {
+                space.red = {nclx->color_primary_red_x, nclx->color_primary_red_y};
+                space.green = {nclx->color_primary_green_x, nclx->color_primary_green_y};
+                space.blue = {nclx->color_primary_blue_x, nclx->color_primary_blue_y};
+                space.white = {nclx->color_primary_white_x, nclx->color_primary_white_y};
+            }
+            if (decodeCoded(color.pixels(), space)) return;
+            file_.fail("its colours have the primaries " + std::to_string(nclx->color_primaries) +
+                       " and the transfer function " + std::to_string(nclx->transfer_characteristics) +
+                       " of ITU-T H.273 (16 is PQ, 18 is HLG), expected sRGB, a gamma, Rec.709, Rec.2020, linear light "
+                       "or an ICC profile");
         }
         decodeSrgb(color.pixels());
     }

@@ -43,6 +43,7 @@ struct ImportedPhoto {
     int orientation = 1;               ///< EXIF orientation that has been applied to `color`
     std::optional<float> focal35mm;    ///< 35 mm equivalent focal length [mm]
     ImageF depth;                      ///< as displayed, may be smaller than `color`; empty = the file has no depth
+    ImageF coverage;                   ///< [0, 1], share of each pixel of `depth` that is covered; empty = all of it
     std::optional<DepthKind> kind;     ///< of `depth`; nullopt = the file does not say
     double unit = 1;                   ///< metres per unit of `depth`
     std::string assumedUnit;           ///< sentence for the user when `unit` is an assumption; "" = the file states it
