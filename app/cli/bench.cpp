@@ -54,7 +54,8 @@ void bench(const std::vector<std::string>& names, const std::string& project, bo
     for (const std::string& name : names)
         if (std::ranges::find(render::benchmarkNames(), name) == render::benchmarkNames().end()) {
             std::string known;
-            for (const std::string& other : render::benchmarkNames()) known.append(known.empty() ? "" : ", ").append(other);
+            for (const std::string& other : render::benchmarkNames())
+                known.append(known.empty() ? "" : ", ").append(other);
             throw core::Error(core::ErrorKind::Usage,
                               "There is no benchmark \"" + name + "\", expected " + known + ".");
         }
