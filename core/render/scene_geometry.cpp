@@ -47,7 +47,11 @@ PyramidShape pyramidShape(std::uint32_t width, std::uint32_t height, std::uint64
     }
 }
 
-SceneGeometry::SceneGeometry(const gpu::Device& device) : device_(device), layout_(makeGeometryLayout(device)) {
+SceneGeometry::SceneGeometry(const gpu::Device& device, std::uint64_t maxPyramidCells)
+    : device_(device),
+      layout_(makeGeometryLayout(device)),
+      maxPyramidCells_(
+          std::min(maxPyramidCells, std::uint64_t{kernel::kPyramidWidth} * device.limits().maxTextureDimension2D)) {
     using enum gpu::BindingType;
     const gpu::BindGroupLayout build = makeLayout(device, "build_pyramid",
                                                   {{BUILD_PYRAMID_FRONT_PATCH, SampledTexture},
@@ -146,7 +150,7 @@ void SceneGeometry::begin(const Source& source) {
     frontPatch_ = makeLayer("front patch");
     backPatch_ = makeLayer("back patch");
     constexpr std::uint64_t kRow = kernel::kPyramidWidth;
-    shape_ = render::pyramidShape(width, height, kRow * device_.limits().maxTextureDimension2D);
+    shape_ = render::pyramidShape(width, height, maxPyramidCells_);
     pyramid_ = device_.createTexture(
         {.label = "pyramid",
          .size = {kernel::kPyramidWidth, static_cast<std::uint32_t>((shape_.cells() + kRow - 1) / kRow)},

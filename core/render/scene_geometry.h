@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "core/analysis.h"
@@ -32,7 +33,9 @@ struct PyramidShape {
 /// that look at the scene (shaders/lib/geometry.glsl).
 class SceneGeometry {
   public:
-    explicit SceneGeometry(const gpu::Device& device);
+    /// The pyramid has at most `maxPyramidCells`, and no more than the device has room for.
+    explicit SceneGeometry(const gpu::Device& device,
+                           std::uint64_t maxPyramidCells = std::numeric_limits<std::uint64_t>::max());
 
     /// Throws gpu::Error(OutOfMemory) when a picture of this size is larger than the device allows.
     void requireFits(std::uint32_t width, std::uint32_t height) const;
@@ -89,6 +92,7 @@ class SceneGeometry {
     gpu::ComputePipeline buildPyramid_;
     std::uint32_t width_ = 0;
     std::uint32_t height_ = 0;
+    std::uint64_t maxPyramidCells_;
     PyramidShape shape_;
     float leastW_ = 0, greatestW_ = 0;
     gpu::Texture frontPatch_, backPatch_, frontColor_, backColor_, frontNormal_, backNormal_, environment_;

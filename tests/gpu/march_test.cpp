@@ -19,7 +19,9 @@ using testing_support::AnalyticScene;
 kernel::vec4 texel(const core::DepthLayers::Patch& patch) { return {patch.w, patch.gu, patch.gv, 0}; }
 
 struct Scene {
-    explicit Scene(const AnalyticScene& source) : layers(source.layers()), geometry(testing_support::device()) {
+    explicit Scene(const AnalyticScene& source,
+                   std::uint64_t maxPyramidCells = std::numeric_limits<std::uint64_t>::max())
+        : layers(source.layers()), geometry(testing_support::device(), maxPyramidCells) {
         geometry.setLayers(layers, source.photo->color, *source.front, *source.back);
         geometry.setEnvironment(*source.environment);
         const gpu::CommandEncoder encoder = testing_support::device().createCommandEncoder({.label = "pyramid"});
@@ -143,6 +145,19 @@ TEST(March, AgreesWithTheOracleOnRandomScenes) {
         std::size_t hits = 0;
         EXPECT_GE(agreement(scene.layers, rays, scene.march(rays), &hits), 0.999) << "seed " << seed;
         EXPECT_GT(hits, rays.size() / 20) << "the rays must meet something for the test to mean anything";
+    }
+}
+
+TEST(March, AgreesWithTheOracleWithoutTheFinestLevelsOfThePyramid) {
+    const AnalyticScene source = testing_support::makeRandomScene(97, 61, 5);
+    for (const std::uint64_t cells : {3000u, 800u, 256u}) {
+        Scene scene(source, cells);
+        ASSERT_GT(scene.geometry.pyramidShape().finest, 0u);
+        const std::vector<render::Ray> rays = randomRays(source, 4000, 3);
+        std::size_t hitCount = 0;
+        EXPECT_GE(agreement(scene.layers, rays, scene.march(rays), &hitCount), 0.999)
+            << scene.geometry.pyramidShape().finest;
+        EXPECT_GT(hitCount, 400u);
     }
 }
 
