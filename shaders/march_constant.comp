@@ -14,7 +14,7 @@ layout(set = 1, binding = MARCH_HITS) writeonly buffer Hits { vec4 hits[]; };
 
 // Pixel, layer and distance of the first step inside a solid; none while the ray is still inside that of its origin.
 vec4 firstHit(vec3 p, vec3 d) {
-    const vec4 none = vec4(-1.0, -1.0, 0.0, 0.0);
+    const vec4 none = vec4(0.0);
     if (d == vec3(0.0)) return none;
     bool inside = true;
     for (float t = 0.0; t <= block.maxDistance; t += block.stepSize) {
@@ -32,7 +32,7 @@ vec4 firstHit(vec3 p, vec3 d) {
             float room = frontPatch.x + dot(frontPatch.yz, offset) - w;
             float depth = w - backPatch.x - dot(backPatch.yz, offset);
             solid = room >= 0.0 && depth >= 0.0;
-            if (solid && !inside) return vec4(pixel, depth < room ? 1.0 : 0.0, t);
+            if (solid && !inside) return vec4(pixel + ivec2(1, 0), depth < room ? 1.0 : 0.0, t);
         }
         inside = inside && solid;
     }

@@ -38,7 +38,7 @@ void beginRound(MarchScene scene, uint end, inout Taken ray) {
         if (ray.index < end) {
             MarchHit hit = marchHit(ray.m);
             hits[ray.index] =
-                hit.found ? vec4(hit.pixel, hit.back ? 1.0 : 0.0, hit.distance) : vec4(-1.0, -1.0, 0.0, 0.0);
+                hit.found ? vec4(hit.pixel + ivec2(1, 0), hit.back ? 1.0 : 0.0, hit.distance) : vec4(0.0);
         }
         ray.index = atomicAdd(taken, 1u);
         if (ray.index < end) {

@@ -65,14 +65,13 @@ Mesh meshOf(const core::Surface& front, const core::Surface& back, const core::L
 
 std::optional<EmbreeTimes> benchEmbree(const core::Surface& front, const core::Surface& back,
                                        const core::LabelImage& labels, const std::vector<Ray>& rays) {
-    constexpr int kBuilds = 3;
     constexpr int kRepetitions = 10;  // as many as the pyramid has
     EmbreeTimes times;
     const RTCDevice device = rtcNewDevice(nullptr);
     if (device == nullptr) return std::nullopt;
     times.buildSeconds = std::numeric_limits<double>::max();
     RTCScene scene = nullptr;
-    for (int i = 0; i < kBuilds; ++i) {
+    for (int i = 0; i < kRepetitions; ++i) {
         if (scene != nullptr) rtcReleaseScene(scene);
         const auto start = Clock::now();
         const Mesh mesh = meshOf(front, back, labels);

@@ -93,8 +93,8 @@ std::vector<RayHit> RayMarcher::march(std::span<const Ray> rays, MarchMethod met
     std::vector<RayHit> hits(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const kernel::vec4& v = values[i];
-        if (v.x < 0) continue;
-        hits[i] = {true, v.z > 0.5f, static_cast<int>(v.x), static_cast<int>(v.y), v.w};
+        if (!(v.x > 0)) continue;
+        hits[i] = {true, v.z > 0.5f, static_cast<int>(v.x) - 1, static_cast<int>(v.y), v.w};
     }
     return hits;
 }

@@ -6,7 +6,7 @@
 #include "shaders/shared/interop.h"
 
 #define MARCH_RAYS 0  // two vec4 per ray: origin [m], direction (unit; zero = no ray, hits nothing)
-#define MARCH_HITS 1  // one vec4 per ray: x, y (-1 = none), 1 = entered through the back layer, distance [m]
+#define MARCH_HITS 1  // one vec4 per ray: x + 1 (0 = none), y, 1 = entered through the back layer, distance [m]
 
 KERNEL_BEGIN
 
