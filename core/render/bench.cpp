@@ -106,14 +106,13 @@ std::vector<Ray> Benchmarks::cosineRays(std::size_t count) const {
 void Benchmarks::march() {
     constexpr std::size_t kRays = 1 << 18;
     constexpr std::size_t kSlowRays = 1 << 14;  // for the methods that are slow on a processor
-    constexpr int kRepetitions = 10;            // a short time each, and other programs have times of their own
     const core::DepthLayers sceneLayers = layers();
     SceneGeometry geometry(device);
     geometry.setLayers(sceneLayers, scene.photo->color, *analysis->front, *analysis->back);
     geometry.setEnvironment(core::DirectionalMap());
 
     double build = std::numeric_limits<double>::max();
-    for (int i = 0; i < kRepetitions; ++i) {
+    for (int i = 0; i < kTimedBuilds; ++i) {
         gpu::PassTimer timer(device);
         const gpu::CommandEncoder encoder = device.createCommandEncoder({.label = "build pyramid"});
         {
@@ -139,8 +138,8 @@ void Benchmarks::march() {
         if (i / kGroup % (kRays / kSlowRays) == 0) fewRays.push_back(rays[i]);
     const auto rate = [&](const std::vector<Ray>& list, MarchMethod method, const ConstantStepParams& steps) {
         double best = std::numeric_limits<double>::max();
-        for (int i = 0; i < kRepetitions; ++i) {
-            context.checkpoint("Benchmark: march", static_cast<float>(i) / kRepetitions);
+        for (int i = 0; i < kTimedMarches; ++i) {
+            context.checkpoint("Benchmark: march", static_cast<float>(i) / kTimedMarches);
             (void)marcher.march(list, method, steps);
             best = std::min(best, marcher.seconds());
         }

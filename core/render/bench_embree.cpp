@@ -65,13 +65,12 @@ Mesh meshOf(const core::Surface& front, const core::Surface& back, const core::L
 
 std::optional<EmbreeTimes> benchEmbree(const core::Surface& front, const core::Surface& back,
                                        const core::LabelImage& labels, const std::vector<Ray>& rays) {
-    constexpr int kRepetitions = 10;  // as many as the pyramid has
     EmbreeTimes times;
     const RTCDevice device = rtcNewDevice(nullptr);
     if (device == nullptr) return std::nullopt;
     times.buildSeconds = std::numeric_limits<double>::max();
     RTCScene scene = nullptr;
-    for (int i = 0; i < kRepetitions; ++i) {
+    for (int i = 0; i < kTimedBuilds; ++i) {
         if (scene != nullptr) rtcReleaseScene(scene);
         const auto start = Clock::now();
         const Mesh mesh = meshOf(front, back, labels);
@@ -93,7 +92,7 @@ std::optional<EmbreeTimes> benchEmbree(const core::Surface& front, const core::S
     }
     double best = std::numeric_limits<double>::max();
     std::atomic<std::size_t> hits{0};
-    for (int i = 0; i < kRepetitions; ++i) {
+    for (int i = 0; i < kTimedMarches; ++i) {
         hits = 0;
         const auto start = Clock::now();
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), 1024), [&](const auto& range) {

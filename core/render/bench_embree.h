@@ -9,6 +9,11 @@
 
 namespace render {
 
+/// How often builds and marches are timed, ours as well as Embree's; the least counts: a run takes some hundredths of a
+/// second, and other programs have times of their own.
+inline constexpr int kTimedBuilds = 10;
+inline constexpr int kTimedMarches = 50;
+
 /// A triangle ray tracer over the same two layers: what the marching is compared with.
 struct EmbreeTimes {
     double buildSeconds = 0;   ///< triangles and hierarchy
