@@ -606,7 +606,7 @@ TEST(Renderer, SaysWhenThePictureIsTooLarge) {
 
 TEST(Renderer, AdvancesWhereTheCompositeIsDearerThanTheBudget) {
     constexpr int kSlices = 10;
-    constexpr double kBudget = 0.004;
+    constexpr double kBudget = 0.01;
     const AnalyticScene source = testing_support::makeAnalyticScene(640, 640, {{Vector3f(0, 0, 1), 0.4f, 2}}, 0,
                                                                     [](const Vector3f&) { return Vector3f(1, 1, 1); });
     const auto count = std::count(source.photo->labels.pixels().begin(), source.photo->labels.pixels().end(), 2);
