@@ -34,10 +34,7 @@ float halfPlaneCoverage(const Vector2f& n, float d) {
     const auto ramp = [a](float t) { return std::clamp(t / a + 0.5f, 0.0f, 1.0f); };
     if (b < 1e-3f) return ramp(d);
     // Mean of the ramp over [d − b/2, d + b/2].
-    const auto integral = [a](float t) {
-        const float u = std::clamp(t / a + 0.5f, 0.0f, 1.0f);
-        return a * u * u / 2 + std::max(t - a / 2, 0.0f);
-    };
+    const auto integral = [&](float t) { return a * ramp(t) * ramp(t) / 2 + std::max(t - a / 2, 0.0f); };
     return (integral(d + b / 2) - integral(d - b / 2)) / b;
 }
 

@@ -2,7 +2,6 @@
 #include "core/render/renderer.h"
 
 #include <limits>
-#include <thread>
 
 #include "core/brdf.h"
 #include "core/reference_renderer.h"

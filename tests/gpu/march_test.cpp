@@ -288,9 +288,14 @@ TEST(March, GivesEachRayItsHitWhateverTheLengthOfTheList) {
     }
 }
 
+/// Label 2.
+AnalyticScene lonelySphere() {
+    return testing_support::makeAnalyticScene(200, 150, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0,
+                                              [](const Vector3f&) { return Vector3f(1, 1, 1); });
+}
+
 TEST(March, LeavesOutWhatTheListIsMarchedWithout) {
-    const AnalyticScene source = testing_support::makeAnalyticScene(200, 150, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0,
-                                                                    [](const Vector3f&) { return Vector3f(1, 1, 1); });
+    const AnalyticScene source = lonelySphere();
     Scene scene(source);
     const auto rays = randomRays(source, 4000, 7);
     render::RayMarcher marcher(testing_support::device(), scene.geometry);
@@ -304,8 +309,7 @@ TEST(March, LeavesOutWhatTheListIsMarchedWithout) {
 }
 
 TEST(March, ConstantStepsAgreeOnThickSolids) {
-    const AnalyticScene source = testing_support::makeAnalyticScene(200, 150, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0,
-                                                                    [](const Vector3f&) { return Vector3f(1, 1, 1); });
+    const AnalyticScene source = lonelySphere();
     Scene scene(source);
     const auto rays = randomRays(source, 4000, 7);
     render::RayMarcher marcher(testing_support::device(), scene.geometry);

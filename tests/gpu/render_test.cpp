@@ -271,7 +271,7 @@ TEST(Renderer, ATimeLimitEndsRefinementButNotTheFirstPicture) {
     const AnalyticScene source = stillLife();
     core::Scene scene = edited(source, 2, ggx(0.3f), 1'000'000);
     scene.render.filter = true;
-    scene.render.timeLimit = 0.4;
+    scene.render.timeLimit = 1;
     render::Renderer renderer(device());
     renderer.setScene(scene, source.analysis());
     ASSERT_TRUE(endsWithin(renderer, 60));

@@ -65,10 +65,9 @@ double median(std::vector<float> values) {
     return static_cast<double>(*middle);
 }
 
-TEST(SettleNormals, ABrokenRimFollowsWhatIsBesideIt) {
-    const Shown truth = shown(sphere);
-    Shown broken = truth;
-    std::mt19937 random(1);
+/// Normals of the six pixels along the outline, and with `depthToo` their depth, go to pieces. Returns those pixels.
+std::vector<std::size_t> breakRim(Shown& scene, unsigned seed, bool depthToo) {
+    std::mt19937 random(seed);
     std::normal_distribution<float> spread(0, 1);
     std::vector<std::size_t> wrong;
     for (int y = 0; y < kSize; ++y)
@@ -77,9 +76,20 @@ TEST(SettleNormals, ABrokenRimFollowsWhatIsBesideIt) {
             if (r >= kRadius || r < kRadius - 6) continue;
             Vector3f n(spread(random), spread(random), spread(random));
             n.z() = -std::abs(n.z()) - 0.1f;
-            broken.surface.normal(x, y) = n.normalized();
-            wrong.push_back(broken.labels.index(x, y));
+            scene.surface.normal(x, y) = n.normalized();
+            wrong.push_back(scene.labels.index(x, y));
+            if (!depthToo) continue;
+            const float z = 1 + 0.01f * std::abs(spread(random));
+            scene.surface.depth(x, y) = z;
+            scene.surface.position(x, y) = scene.camera.backProject(x, y, z);
         }
+    return wrong;
+}
+
+TEST(SettleNormals, ABrokenRimFollowsWhatIsBesideIt) {
+    const Shown truth = shown(sphere);
+    Shown broken = truth;
+    const std::vector<std::size_t> wrong = breakRim(broken, 1, false);
     Shown settled = broken;
     const core::StepContext context;
     core::steps::settleNormals(settled.surface, settled.labels, settled.camera, 1, {context, "test"});
@@ -102,21 +112,7 @@ TEST(SettleNormals, DepthFollowsTheNormals) {
     const Shown truth = shown(
         [](float u, float v) -> Vector3f { return std::hypot(u, v) < 1 ? Vector3f(0, 0, -1) : Vector3f(0, 0, 0); });
     Shown broken = truth;
-    std::mt19937 random(2);
-    std::normal_distribution<float> spread(0, 1);
-    std::vector<std::size_t> wrong;
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
-            const float r = std::hypot(centred(x), centred(y));
-            if (r >= kRadius || r < kRadius - 6) continue;
-            Vector3f n(spread(random), spread(random), spread(random));
-            n.z() = -std::abs(n.z()) - 0.1f;
-            broken.surface.normal(x, y) = n.normalized();
-            const float z = 1 + 0.01f * std::abs(spread(random));
-            broken.surface.depth(x, y) = z;
-            broken.surface.position(x, y) = broken.camera.backProject(x, y, z);
-            wrong.push_back(broken.labels.index(x, y));
-        }
+    const std::vector<std::size_t> wrong = breakRim(broken, 2, true);
     const core::StepContext context;
     core::steps::settleNormals(broken.surface, broken.labels, broken.camera, 1, {context, "test"});
     std::vector<float> off;
