@@ -13,7 +13,8 @@ namespace core::steps {
 namespace {
 
 constexpr const char* kNoiseStep = "Filter depth";
-constexpr int kScales = 5;
+constexpr std::size_t kScales = 5;
+constexpr std::size_t kEnlargedScales = 6;  ///< maps that are not exact anyway may have been enlarged before, too
 constexpr float kExact = 2e-6f;  ///< relative deviation below which depth counts as exact: rounding of floats
 
 /// From the median magnitude of differences to the σ of uncorrelated values: median |x| = 0.6745 σ, and the squares of
@@ -180,6 +181,18 @@ std::vector<StoredValue> coarseValues(std::span<const StoredValue> all) {
     return result;
 }
 
+/// Gives cells where relief hid the noise that of the nearest cell that tells, relative to inverse depth.
+void extendToUnknown(NoiseCurve& curve) {
+    const NoiseCurve known = curve;
+    for (std::size_t cell = 0; cell < known.sigma.size(); ++cell) {
+        for (std::size_t away = 1; away < known.sigma.size() && curve.sigma[cell] <= 0; ++away) {
+            for (const std::size_t other : {cell - away, cell + away})
+                if (other < known.sigma.size() && known.sigma[other] > 0)
+                    curve.sigma[cell] = known.sigma[other] * cellCentre(known, cell) / cellCentre(known, other);
+        }
+    }
+}
+
 /// Distance between neighbouring stored values over inverse depth. In an enlarged map these are the values that occur
 /// often, since interpolation adds others in between; so does resampling of values that were rounded before. Zero when
 /// nearly every pixel has a value of its own, and when the values are so far apart that they are separate surfaces.
@@ -309,20 +322,20 @@ DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labe
     const Range range = rangeOf(inverseDepth);
     if (range.high <= 0) return noise;
     const int base = std::max(1, static_cast<int>(std::lround(pixelsPerSample)));
-    std::array<NoiseCurve, kScales> scales;
-    for (int k = 0; k < kScales; ++k)
-        scales[static_cast<std::size_t>(k)] =
-            measureNoise(inverseDepth, labels, base << k, Differences::Fourth, range, context);
     const NoiseCurve quanta = quantisation(inverseDepth, pixelsPerSample, base, range);
+    const bool smooth = base > 1 && std::ranges::all_of(quanta.sigma, [](float quantum) { return quantum <= 0; });
+    std::vector<NoiseCurve> scales(smooth ? kEnlargedScales : kScales);
+    for (std::size_t k = 0; k < scales.size(); ++k)
+        scales[k] = measureNoise(inverseDepth, labels, base << k, Differences::Fourth, range, context);
 
     noise.deviation = curveOver(range);
-    std::array<float, kScales> total{};
+    std::vector<float> total(scales.size(), 0.0f);
     float level = 0;
     float quantised = 0;
     for (std::size_t cell = 0; cell < noise.deviation.sigma.size(); ++cell) {
         float plateau = 0;
         float highest = scales[0].sigma[cell];
-        for (std::size_t k = 1; k < kScales; ++k) {
+        for (std::size_t k = 1; k < scales.size(); ++k) {
             const float before = scales[k - 1].sigma[cell];
             const float here = scales[k].sigma[cell];
             if (here <= 0) break;
@@ -331,7 +344,7 @@ DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labe
         }
         if (scales[1].sigma[cell] <= 0) plateau = highest;  // too small a picture to compare scales
         if (plateau < kExact * cellCentre(noise.deviation, cell)) plateau = 0;
-        for (std::size_t k = 0; k < kScales; ++k) total[k] += std::min(scales[k].sigma[cell], plateau);
+        for (std::size_t k = 0; k < scales.size(); ++k) total[k] += std::min(scales[k].sigma[cell], plateau);
         float rounding = quanta.sigma[cell] / std::sqrt(12.0f);
         if (rounding < kExact * cellCentre(noise.deviation, cell)) rounding = 0;
         // Terraces wider than the spacing show only where they end, and then as more than they are.
@@ -340,10 +353,11 @@ DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labe
         quantised += terraced || rounding > plateau ? rounding : 0;
         noise.deviation.sigma[cell] = terraced ? rounding : std::max(plateau, rounding);
     }
+    if (smooth) extendToUnknown(noise.deviation);
     noise.quantised = quantised > 0 && quantised >= level;
     noise.correlationLength = static_cast<float>(base);
-    for (std::size_t k = 0; k < kScales && total[k] < 0.7f * level; ++k)
-        noise.correlationLength = static_cast<float>(base << std::min<std::size_t>(k + 1, kScales - 1));
+    for (std::size_t k = 0; k < scales.size() && total[k] < 0.7f * level; ++k)
+        noise.correlationLength = static_cast<float>(base << std::min(k + 1, scales.size() - 1));
 
     noise.relative = relativeNoise(noise.deviation, inverseDepth);
     return noise;

@@ -44,7 +44,8 @@ enum class Differences { Second, Fourth };
 [[nodiscard]] NoiseCurve measureNoise(const ImageF& inverseDepth, const LabelImage& labels, int step, Differences order,
                                       const StepContext& context);
 
-/// Noise in fourth differences at steps of 1, 2, 4, 8 and 16 times `pixelsPerSample` (of an enlarged map; 1 otherwise).
+/// Noise in fourth differences at steps of 1, 2, 4, 8 and 16 times `pixelsPerSample` (of an enlarged map; 1 otherwise;
+/// enlarged maps without rounding at 32 times, too).
 /// Uncorrelated noise is the same at all of them, correlated noise grows until the step passes its correlation length,
 /// and relief grows without end: what levels off is noise. Quantisation, which may not show in differences at all,
 /// counts as a deviation of step/√12.

@@ -13,6 +13,7 @@
 #include "core/steps/flying_pixels.h"
 #include "core/steps/membrane.h"
 #include "core/steps/segment_pixels.h"
+#include "core/steps/smooth_surfaces.h"
 
 namespace core::steps {
 namespace {
@@ -167,6 +168,35 @@ ImageF filterByHand(ImageF w, AnalysisKernels::DepthFilter& filter, const DepthF
     const float colorFactor = 1 / (kLimit * kLimit * colorSigma * colorSigma);
     for (int k = 0; k < passes; ++k) w = filter.run(makePass(1 << k, sigma, range, colorFactor), w, partOf(k, context));
     return w;
+}
+
+/// How far each segment's surface is smoothed: noise σ of relative depth that errs alike over n pixels tilts a plate of
+/// length L by about σ f n / L².
+std::vector<SurfaceSmoothing> smoothingOf(const ImageF& depth, const Scene& scene, const DepthNoise& noise) {
+    constexpr float kTilt = 0.1f;   // [rad] that is left in places; typically much less
+    constexpr float kTerraces = 4;  // [px] rounding errs alike over some pixels at least
+    const Photo& photo = *scene.photo;
+    std::vector<double> sums(65536, 0.0);
+    std::vector<std::size_t> counts(65536, 0);
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        if (photo.labels[i] == 0 || depth[i] <= 0) continue;
+        sums[photo.labels[i]] += 1.0 / static_cast<double>(depth[i]);
+        ++counts[photo.labels[i]];
+    }
+    const float correlation = noise.quantised ? std::max(noise.correlationLength, kTerraces) : noise.correlationLength;
+    const float focalLength = 0.5f * (photo.camera.fx + photo.camera.fy);
+    std::vector<SurfaceSmoothing> result;
+    for (std::size_t label = 1; label < counts.size(); ++label) {
+        if (counts[label] == 0) continue;
+        const auto w = static_cast<float>(sums[label] / static_cast<double>(counts[label]));
+        const float sigma = noise.deviation.at(w);
+        result.push_back({.label = static_cast<std::uint16_t>(label),
+                          .length = std::sqrt(sigma / w * focalLength * (2 * correlation - 1) / kTilt),
+                          .noise = sigma,
+                          .correlation = correlation,
+                          .rounded = noise.quantised});
+    }
+    return result;
 }
 
 /// Continues segments into what the sensor missed beside their surfaces.
@@ -370,6 +400,12 @@ Step filterDepthStep() {
             fillSmallHoles(result->depth, photo.labels, board.scene->depthFilter.holeRadius);
         continueSegments(result->depth, photo, context);
         completeSegments(result->depth, photo.labels, context);
+        if (board.scene->depthFilter.enabled) {
+            Image<std::uint8_t> known(depth.width(), depth.height());
+            for (std::size_t i = 0; i < depth.size(); ++i) known[i] = depth[i] > 0 ? 1 : 0;
+            smoothSurfaces(result->depth, known, photo.labels, photo.camera,
+                           smoothingOf(result->depth, *board.scene, noise), {context, kFilterDepthStep, 1.0f, 1.0f});
+        }
         result->distant = findDistantPixels(result->depth);
         board.depth = std::move(result);
     };
