@@ -90,8 +90,8 @@ struct Reporter {
     void checkpoint() const { context.checkpoint(kBackSideStep, progress()); }
 };
 
-Candidate invent(const SegmentPixels& segment, BackSideMethod method, const BackSideParams& params,
-                 const Reporter& reporter) {
+Candidate invent(const SegmentPixels& segment, const std::optional<SupportPlane>& support, BackSideMethod method,
+                 const BackSideParams& params, const Reporter& reporter) {
     reporter.checkpoint();
     Candidate result{method, {}, 0, {}};
     if (method == BackSideMethod::Offset) return result;
@@ -100,8 +100,8 @@ Candidate invent(const SegmentPixels& segment, BackSideMethod method, const Back
     } else if (segment.pixels.size() < kMinMirrorPoints) {
         result.failure = "It has too few pixels with depth to tell its shape.";
     } else if (method == BackSideMethod::SpannedMirror) {
-        SpannedMirror mirror =
-            mirrorAtSpannedSurface(segment, params.planeShift, kBackSideStep, reporter.progress(), reporter.context);
+        SpannedMirror mirror = mirrorAtSpannedSurface(segment, support, params.planeShift, kBackSideStep,
+                                                      reporter.progress(), reporter.context);
         result.error = mirror.error;
         if (mirror.outline > 0)
             result.samples = std::move(mirror.samples);
@@ -117,11 +117,12 @@ Candidate invent(const SegmentPixels& segment, BackSideMethod method, const Back
 
 /// The back with the lowest penalty of the two methods that close at the outline; a mirror plane when neither can be
 /// made.
-Candidate chooseAutomatically(const SegmentPixels& segment, const BackSideParams& params, const Reporter& reporter) {
-    Candidate best = invent(segment, BackSideMethod::SpannedMirror, params, reporter);
+Candidate chooseAutomatically(const SegmentPixels& segment, const std::optional<SupportPlane>& support,
+                              const BackSideParams& params, const Reporter& reporter) {
+    Candidate best = invent(segment, support, BackSideMethod::SpannedMirror, params, reporter);
     if (!best.samples) {
         for (const BackSideMethod method : {BackSideMethod::PcaMirror, BackSideMethod::ParallelMirror}) {
-            Candidate other = invent(segment, method, params, reporter);
+            Candidate other = invent(segment, support, method, params, reporter);
             if (other.samples && (!best.samples || other.error < best.error)) best = std::move(other);
         }
         return best;
@@ -199,11 +200,11 @@ BackLayer inventBackSide(const Camera& camera, const LabelImage& labels, const S
         for (const Pixel& pixel : segment.pixels) segment.box.add(pixel);
         const auto found = std::ranges::find(segments, label, &Segment::label);
         const BackSideParams params = found == segments.end() ? BackSideParams{} : found->backSide;
-        const Candidate candidate = params.method == BackSideMethod::Automatic
-                                        ? chooseAutomatically(segment, params, reporter)
-                                        : invent(segment, params.method, params, reporter);
-        reporter.checkpoint();
         const auto support = supports[label] ? std::nullopt : fitSupportPlane(segment);
+        const Candidate candidate = params.method == BackSideMethod::Automatic
+                                        ? chooseAutomatically(segment, support, params, reporter)
+                                        : invent(segment, support, params.method, params, reporter);
+        reporter.checkpoint();
         writeBack(segment, candidate, params, support, back, mirroredNormals);
         result.segments[static_cast<std::size_t>(index)] = {
             label, candidate.samples ? candidate.method : BackSideMethod::Offset, candidate.failure, candidate.error,

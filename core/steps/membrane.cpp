@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/steps/membrane.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/steps/segment_pixels.h"
@@ -15,13 +17,13 @@ constexpr int kCoarseSweeps = 100;
 constexpr int kSweeps = 12;
 constexpr int kCoarsest = 8;  ///< [cells]
 
-/// Means over 2×2 cells; a cell with a fixed one in it is fixed.
+/// Means over 2×2 cells, their finite bounds too; a cell with a fixed one in it is fixed.
 Image<MembraneCell> coarser(const Image<MembraneCell>& fine) {
     Image<MembraneCell> coarse((fine.width() + 1) / 2, (fine.height() + 1) / 2);
     for (int y = 0; y < coarse.height(); ++y) {
         for (int x = 0; x < coarse.width(); ++x) {
-            float fixedSum = 0, freeSum = 0;
-            int fixed = 0, free = 0;
+            float fixedSum = 0, freeSum = 0, mostSum = 0;
+            int fixed = 0, free = 0, bounded = 0;
             for (int k = 0; k < 4; ++k) {
                 const int fx = 2 * x + (k & 1);
                 const int fy = 2 * y + (k >> 1);
@@ -29,11 +31,13 @@ Image<MembraneCell> coarser(const Image<MembraneCell>& fine) {
                 const MembraneCell& cell = fine(fx, fy);
                 if (cell.kind == Kind::Free) freeSum += cell.value, ++free;
                 if (cell.kind == Kind::Fixed) fixedSum += cell.value, ++fixed;
+                if (std::isfinite(cell.most)) mostSum += cell.most, ++bounded;
             }
             if (fixed > 0)
                 coarse(x, y) = {fixedSum / static_cast<float>(fixed), Kind::Fixed};
             else if (free > 0)
                 coarse(x, y) = {freeSum / static_cast<float>(free), Kind::Free};
+            if (fixed == 0 && bounded > 0) coarse(x, y).most = mostSum / static_cast<float>(bounded);
         }
     }
     return coarse;
@@ -52,7 +56,7 @@ void relax(Image<MembraneCell>& cells, const std::vector<Pixel>& free, float fac
         }
         if (count == 0) continue;
         MembraneCell& cell = cells(x, y);
-        cell.value += factor * (sum / static_cast<float>(count) - cell.value);
+        cell.value = std::min(cell.value + factor * (sum / static_cast<float>(count) - cell.value), cell.most);
     }
 }
 
