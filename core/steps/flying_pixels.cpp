@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +23,7 @@ constexpr float kLeastJump = 8;         ///< [pixel widths per pixel of the reac
 constexpr float kFlyingShare = 0.25f;   ///< of that jump: an outline pixel farther back than this may be flying
 constexpr float kRemovedShare = 0.12f;  ///< of that jump: what is farther back near a flying one goes with it
 constexpr float kCleanShare = 0.4f;     ///< of that jump: this much at the outline itself is a clean edge
+constexpr float kLeastBend = 0.15f;     ///< second over first difference of inverse depth: less is a plane
 constexpr float kGapSlope = 3;          ///< [pixel widths per pixel] of relief that may lie in a gap
 constexpr float kStripPart = 0.3f;      ///< of the outline near by that is a strip where one is; its ends have half
 
@@ -42,9 +44,10 @@ enum class Edge : std::uint8_t {
 
 class Outlines {
   public:
-    Outlines(const ImageF& depth, const LabelImage& labels, const Camera& camera)
+    Outlines(const ImageF& depth, const LabelImage& labels, const Camera& camera, bool enlarged)
         : depth_(depth),
           labels_(labels),
+          enlarged_(enlarged),
           footprint_(2 / (camera.fx + camera.fy)),
           reach_(std::max({kGrid, depth.width() / kReachParts, depth.height() / kReachParts})) {}
 
@@ -76,8 +79,10 @@ class Outlines {
         surfaces = {quantile(own, ownCount, 0.08), quantile(others, otherCount, 0.6)};
         const float z = depth_(x, y);
         if (surfaces.behind - surfaces.own < kLeastJump * static_cast<float>(reach_) * footprint_ * z ||
-            surfaces.share(z) < kFlyingShare)
+            surfaces.share(z) < kRemovedShare)
             return Edge::Clean;
+        if (enlarged_ && fallsLikeNoBall(x, y)) return Edge::Blurred;
+        if (surfaces.share(z) < kFlyingShare) return Edge::Clean;
         float beyond = z, inside = z;
         for (const Pixel& step : kNeighbors) {
             const int bx = x + 2 * step.x;
@@ -92,6 +97,27 @@ class Outlines {
         const float fall = surfaces.share(z) - surfaces.share(inside);
         if (jump < kCleanShare) return Edge::Blurred;
         return fall > kFlyingShare && fall > 0.5f * jump ? Edge::Flying : Edge::Clean;
+    }
+
+    /// Whether depth falls away at an outline pixel faster than at the rim of a ball as wide as the picture, and not
+    /// like a plane: a face may be seen at any angle.
+    [[nodiscard]] bool fallsLikeNoBall(int x, int y) const {
+        const auto width = static_cast<float>(std::max(depth_.width(), depth_.height()));
+        const int distance = 1 + reach_ / kFootParts;
+        const float ofBall = std::sqrt(width) * (std::sqrt(static_cast<float>(distance) + 0.5f) - std::sqrt(0.5f));
+        const float z = depth_(x, y);
+        return std::ranges::any_of(kNeighbors, [&](Pixel step) {
+            const auto inside = [&](int d) {
+                const int u = x + d * step.x;
+                const int v = y + d * step.y;
+                return depth_.contains(u, v) && labels_(u, v) == labels_(x, y) ? depth_(u, v) : 0.0f;
+            };
+            const float near = inside(distance);
+            if (near <= 0 || z - near < ofBall * footprint_ * z) return false;
+            const float farther = inside(2 * distance);
+            const float bend = farther > 0 ? 1 / z - 2 / near + 1 / farther : 1 / near;
+            return std::abs(bend) > kLeastBend * (1 / near - 1 / z);
+        });
     }
 
     /// Whether the segment comes nearer than relief does within `distance` pixels.
@@ -142,6 +168,7 @@ class Outlines {
 
     const ImageF& depth_;
     const LabelImage& labels_;
+    bool enlarged_;    ///< ramps are drawn out
     float footprint_;  ///< width of a pixel at a distance of 1
     int reach_;        ///< [px]
 };
@@ -152,7 +179,8 @@ void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& c
                         const StepContext& context) {
     const std::vector<bool> supports = findSupports(labels);
     const ImageF measured = depth;
-    const Outlines outlines(measured, labels, camera);
+    const bool enlarged = pixelsPerSample > 1;
+    const Outlines outlines(measured, labels, camera, enlarged);
     const int reach = outlines.reach();
     Image<Edge> edges(depth.width(), depth.height(), Edge::None);
     Image<std::uint8_t> strips(depth.width(), depth.height(), 0);
@@ -207,7 +235,7 @@ void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& c
         }
     }
     // A map that was enlarged has its ramps drawn out: they go on as long as depth falls faster than relief does.
-    const int drawnOut = pixelsPerSample > 1 ? reach : 0;
+    const int drawnOut = enlarged ? reach : 0;
     std::vector<Pixel> front, next;
     for (int y = 0; y < depth.height(); ++y)
         for (int x = 0; x < depth.width(); ++x)

@@ -14,7 +14,8 @@ namespace core::steps {
 /// as far back there is removed.
 /// The rim of a round object does fall away too, but jumps to the background at its outline. Supports (tables, walls)
 /// and what is not labelled are left alone. `depth`: planar z [m], 0 = none. `pixelsPerSample`: as Photo::depthStep;
-/// the ramps of enlarged maps are followed as far as they are steeper than relief.
+/// the ramps of enlarged maps are followed as far as they are steeper than relief. Colours that guide the enlargement
+/// make them end in a jump; they are told by how fast they fall, if no part of a plane seen at a small angle does.
 void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& camera, float pixelsPerSample,
                         const StepContext& context);
 
