@@ -166,7 +166,11 @@ void smoothPlate(std::vector<WeakPlate>& levels, double focalLength, const Surfa
     while (levels.back().length() > kCoarsestRatio && std::min(levels.back().width(), levels.back().height()) > 4)
         levels.push_back(levels.back().coarser());
     std::size_t weighted = 0;
-    while (levels[weighted].length() > kFinestRatio && weighted + 1 < levels.size()) ++weighted;
+    const auto tooFine = [&](std::size_t level) {
+        return levels[level].length() > kFinestRatio ||
+               2 * length / levels[level].length() <= static_cast<double>(smoothing.sample);
+    };
+    while (tooFine(weighted) && weighted + 1 < levels.size()) ++weighted;
     const auto weightsOf = [&](std::size_t level) {
         constexpr double kFilterReach = 8;  // [px] correlation of noise that the depth filter cannot tell from shape
         const double scale = levels[level].length() / length;

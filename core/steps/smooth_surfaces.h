@@ -16,6 +16,7 @@ struct SurfaceSmoothing {
     float length = 0;       ///< [px] bumps and dents narrower than about this are smoothed away; 0 = none
     float noise = 0;        ///< σ of inverse depth [1/m]; 0 = not known, and `length` is the same all over the segment
     float correlation = 1;  ///< [px] pixels farther apart than this err independently
+    float sample = 1;       ///< [px] distance of the measurements, as Photo::depthStep
     bool rounded = false;   ///< the noise is rounding: it can err alike over any distance
 };
 
