@@ -174,7 +174,7 @@ ImageF filterByHand(ImageF w, AnalysisKernels::DepthFilter& filter, const DepthF
 /// length L by about σ f n / L².
 std::vector<SurfaceSmoothing> smoothingOf(const ImageF& depth, const Scene& scene, const DepthNoise& noise) {
     constexpr float kTilt = 0.1f;   // [rad] that is left in places; typically much less
-    constexpr float kTerraces = 4;  // rounding errs alike over some measurements at least
+    constexpr float kTerraces = 4;  // [px] rounding errs alike over some pixels at least
     const Photo& photo = *scene.photo;
     std::vector<double> sums(65536, 0.0);
     std::vector<std::size_t> counts(65536, 0);
@@ -183,8 +183,7 @@ std::vector<SurfaceSmoothing> smoothingOf(const ImageF& depth, const Scene& scen
         sums[photo.labels[i]] += 1.0 / static_cast<double>(depth[i]);
         ++counts[photo.labels[i]];
     }
-    const float correlation =
-        noise.quantised ? std::max(noise.correlationLength, kTerraces * photo.depthStep) : noise.correlationLength;
+    const float correlation = noise.quantised ? std::max(noise.correlationLength, kTerraces) : noise.correlationLength;
     const float focalLength = 0.5f * (photo.camera.fx + photo.camera.fy);
     std::vector<SurfaceSmoothing> result;
     for (std::size_t label = 1; label < counts.size(); ++label) {

@@ -64,7 +64,10 @@ class PlateWeights {
           unbroken_(plate.cellCount(), 1),
           local_(plate.cellCount(), 1) {
         if (noise_.sigma <= 0) return;
+        const std::size_t row = plate_.stride();
         forCells([&](std::size_t i) {
+            for (const std::size_t cell : {i, i - 1, i + 1, i - row, i + row, i + row + 1})
+                if (plate_.inside(cell) && !(measured_[cell] > 0)) return;
             unbroken_[i] = gemanMcClure(plate_.bendOfData(i) / (kJump * noise_.sigma));
             plate_.setStiffness(i, unbroken_[i]);
         });
