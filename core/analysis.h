@@ -49,7 +49,7 @@ struct BackSideInfo {
 
 /// Result of the analysis: stages 3.1 to 3.4. Parts are shared, so that a change recomputes only what it invalidates.
 struct Analysis {
-    /// How far each segment's surface was smoothed [px], by label; the user's length, or what the noise asked for.
+    /// Width of the bumps that were smoothed away [px], by the segment's label: the user's, or what the noise asks for.
     /// Empty without the depth filter.
     std::map<std::uint16_t, float> smoothing;
     std::shared_ptr<const Surface> front;

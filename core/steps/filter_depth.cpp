@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "core/analysis_kernels.h"
 #include "core/parallel.h"
@@ -170,14 +171,17 @@ ImageF filterByHand(ImageF w, AnalysisKernels::DepthFilter& filter, const DepthF
     return w;
 }
 
+/// Width of the bump, half a wave, that a weak plate halves, over the plate's length L: 1 / (1 + (2πL/λ)⁴) is left.
+constexpr float kBumpOverLength = std::numbers::pi_v<float>;
+
 /// How far each segment's surface is smoothed: as the user says, else by the noise. Noise σ of relative depth that errs
 /// alike over n pixels tilts a plate of length L by about σ f n / L².
 std::vector<SurfaceSmoothing> smoothingOf(const ImageF& depth, const Scene& scene, const DepthNoise& noise) {
     constexpr float kTilt = 0.1f;   // [rad] that is left in places; typically much less
     constexpr float kTerraces = 4;  // [px] rounding errs alike over some pixels at least
-    // Of the width of a segment (√pixels) that the length may be.
+    // Of the width of a segment (√pixels): the automatic length, and the bumps that the user smooths away, at most.
     constexpr float kLargestPart = 0.125f;
-    constexpr float kUsersLargestPart = 0.5f;
+    constexpr float kLargestBump = 0.5f;
     const Photo& photo = *scene.photo;
     std::vector<double> sums(65536, 0.0);
     std::vector<std::size_t> counts(65536, 0);
@@ -198,7 +202,7 @@ std::vector<SurfaceSmoothing> smoothingOf(const ImageF& depth, const Scene& scen
         const auto width = static_cast<float>(std::sqrt(static_cast<double>(counts[label])));
         const Segment* segment = scene.findSegment(smoothing.label);
         if (segment != nullptr && segment->smoothing) {
-            smoothing.length = std::min(*segment->smoothing, kUsersLargestPart * width);
+            smoothing.length = std::min(*segment->smoothing, kLargestBump * width) / kBumpOverLength;
             continue;
         }
         const auto w = static_cast<float>(sums[label] / static_cast<double>(counts[label]));
@@ -417,7 +421,8 @@ Step filterDepthStep() {
             const std::vector<SurfaceSmoothing> segments = smoothingOf(result->depth, *board.scene, noise);
             smoothSurfaces(result->depth, known, photo.labels, photo.camera, segments,
                            {context, kFilterDepthStep, 1.0f, 1.0f});
-            for (const SurfaceSmoothing& segment : segments) result->smoothing[segment.label] = segment.length;
+            for (const SurfaceSmoothing& segment : segments)
+                result->smoothing[segment.label] = kBumpOverLength * segment.length;
         }
         result->distant = findDistantPixels(result->depth);
         board.depth = std::move(result);
