@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,6 +49,9 @@ struct BackSideInfo {
 
 /// Result of the analysis: stages 3.1 to 3.4. Parts are shared, so that a change recomputes only what it invalidates.
 struct Analysis {
+    /// Width of the bumps that were smoothed away [px], by the segment's label: the user's, or what the noise asks for.
+    /// Empty without the depth filter.
+    std::map<std::uint16_t, float> smoothing;
     std::shared_ptr<const Surface> front;
     std::shared_ptr<const Surface> back;
     std::shared_ptr<const DepthLayers> layers;  ///< front and back as rays see them (core/depth_layers.h)

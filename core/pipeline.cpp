@@ -61,6 +61,7 @@ Stage firstChangedSegmentStage(const Scene& before, const Scene& after) {
     for (std::size_t i = 0; i < before.segments.size(); ++i) {
         const Segment& a = before.segments[i];
         const Segment& b = after.segments[i];
+        touch(a.smoothing != b.smoothing, Stage::Geometry);
         touch(a.label != b.label || a.backSide != b.backSide, Stage::BackSide);
         touch(a.glossy != b.glossy || a.reflectance != b.reflectance || a.lobeWidth != b.lobeWidth, Stage::Reflectance);
         const auto detail = [](const Segment& s) { return s.edit && drivenByLuminance(*s.edit); };
@@ -160,6 +161,7 @@ std::shared_ptr<const Analysis> AnalysisPipeline::run(const Scene& scene, const 
     board.scene = nullptr;
 
     auto analysis = std::make_shared<Analysis>();
+    analysis->smoothing = board.depth->smoothing;
     analysis->front = board.front;
     analysis->back = std::shared_ptr<const Surface>(board.back, &board.back->surface);
     analysis->layers = board.layers;

@@ -68,7 +68,10 @@ struct Segment {
     BackSideParams backSide;
     std::optional<Vector3f> reflectance;  ///< set by the user: replaces the estimated ρ
     std::optional<float> lobeWidth;       ///< set by the user: replaces the estimated GGX width, (0, 1]
-    std::optional<Material> edit;         ///< nullopt = untouched
+    /// Set by the user [px]: bumps and dents of the surface narrower than about this are smoothed away; 0 = none;
+    /// nullopt = follows the noise of the depth. Without the depth filter nothing is smoothed.
+    std::optional<float> smoothing;
+    std::optional<Material> edit;  ///< nullopt = untouched
     bool operator==(const Segment&) const = default;
 };
 

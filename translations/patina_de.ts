@@ -430,6 +430,34 @@
         <source>Ends at the plane it stands on.</source>
         <translation>Endet an der Ebene, auf der es steht.</translation>
     </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorderseite</translation>
+    </message>
+    <message>
+        <source>Smooth surface automatically</source>
+        <translation>Oberfläche automatisch glätten</translation>
+    </message>
+    <message>
+        <source>The smoothing follows the noise of the depth map; part of the depth filter, which has to be on</source>
+        <translation>Die Glättung richtet sich nach dem Rauschen der Tiefenkarte; sie gehört zum Tiefenfilter, der eingeschaltet sein muss</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>Bumps and dents of the surface narrower than about this are smoothed away: more for porcelain, less for fur and carving; 0 = none</source>
+        <translation>Buckel und Dellen der Oberfläche, die schmaler als etwa so viel sind, werden geglättet: mehr für Porzellan, weniger für Fell und Schnitzereien; 0 = nichts</translation>
+    </message>
+    <message>
+        <source>Set smoothing</source>
+        <translation>Glättung einstellen</translation>
+    </message>
 </context>
 <context>
     <name>ui::BackgroundTask</name>
@@ -1339,6 +1367,22 @@
         <source>Show how large the selected translucent object is, in its substance</source>
         <translation>Zeigen, wie groß das gewählte durchscheinende Objekt für seinen Stoff ist</translation>
     </message>
+    <message>
+        <source>Time limit, %1 of %2 samples</source>
+        <translation>Zeitgrenze, %1 von %2 Abtastungen</translation>
+    </message>
+    <message>
+        <source>Paused, %1 of %2 samples</source>
+        <translation>Angehalten, %1 von %2 Abtastungen</translation>
+    </message>
+    <message>
+        <source>&amp;Pause refinement</source>
+        <translation>Verfeinerung &amp;anhalten</translation>
+    </message>
+    <message>
+        <source>Show changes, but leave the device idle instead of refining them</source>
+        <translation>Änderungen zeigen, das Gerät aber ruhen lassen, statt sie zu verfeinern</translation>
+    </message>
 </context>
 <context>
     <name>ui::MapView</name>
@@ -1964,6 +2008,22 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     <message>
         <source>Change translucency quality</source>
         <translation>Güte der Transluzenz ändern</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>Seconds after which the view is not refined any more; pictures that are exported have all samples</source>
+        <translation>Sekunden, nach denen die Ansicht nicht weiter verfeinert wird; exportierte Bilder haben alle Abtastungen</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
     </message>
 </context>
 <context>

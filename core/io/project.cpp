@@ -113,6 +113,8 @@ Segment readSegment(const json& value, const std::string& place, MaskLoader& mas
         reader.read("lobe_width", alpha, 1e-3f, 1.0f);
         segment.lobeWidth = alpha;
     }
+    if (const json* smoothing = reader.find("smoothing"); smoothing != nullptr && !smoothing->is_null())
+        reader.read("smoothing", segment.smoothing.emplace(), 0.0f, 200.0f);
     if (const json* edit = reader.find("edit"))
         segment.edit = readMaterial(*edit, reader.place("edit"), ErrorKind::Input, masks, folder, notes);
     reader.finish();
@@ -240,6 +242,7 @@ ordered_json writeSegment(const Segment& segment, const fs::path& folder) {
                            {"min_thickness", toJson(segment.backSide.minThickness)}};
     if (segment.reflectance) result["reflectance"] = toJson(*segment.reflectance);
     if (segment.lobeWidth) result["lobe_width"] = toJson(*segment.lobeWidth);
+    if (segment.smoothing) result["smoothing"] = toJson(*segment.smoothing);
     if (segment.edit)
         result["edit"] =
             writeMaterial(*segment.edit, [&](const std::string& file) { return relativeTo(folder, file); });

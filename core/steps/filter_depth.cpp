@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "core/analysis_kernels.h"
 #include "core/parallel.h"
@@ -170,11 +171,17 @@ ImageF filterByHand(ImageF w, AnalysisKernels::DepthFilter& filter, const DepthF
     return w;
 }
 
-/// How far each segment's surface is smoothed: noise σ of relative depth that errs alike over n pixels tilts a plate of
-/// length L by about σ f n / L².
+/// Width of the bump, half a wave, that a weak plate halves, over the plate's length L: 1 / (1 + (2πL/λ)⁴) is left.
+constexpr float kBumpOverLength = std::numbers::pi_v<float>;
+
+/// How far each segment's surface is smoothed: as the user says, else by the noise. Noise σ of relative depth that errs
+/// alike over n pixels tilts a plate of length L by about σ f n / L².
 std::vector<SurfaceSmoothing> smoothingOf(const ImageF& depth, const Scene& scene, const DepthNoise& noise) {
     constexpr float kTilt = 0.1f;   // [rad] that is left in places; typically much less
     constexpr float kTerraces = 4;  // [px] rounding errs alike over some pixels at least
+    // Of the width of a segment (√pixels): the automatic length, and the bumps that the user smooths away, at most.
+    constexpr float kLargestPart = 0.125f;
+    constexpr float kLargestBump = 0.5f;
     const Photo& photo = *scene.photo;
     std::vector<double> sums(65536, 0.0);
     std::vector<std::size_t> counts(65536, 0);
@@ -188,14 +195,20 @@ std::vector<SurfaceSmoothing> smoothingOf(const ImageF& depth, const Scene& scen
     std::vector<SurfaceSmoothing> result;
     for (std::size_t label = 1; label < counts.size(); ++label) {
         if (counts[label] == 0) continue;
+        SurfaceSmoothing& smoothing = result.emplace_back(SurfaceSmoothing{.label = static_cast<std::uint16_t>(label),
+                                                                           .correlation = correlation,
+                                                                           .sample = photo.depthStep,
+                                                                           .rounded = noise.quantised});
+        const auto width = static_cast<float>(std::sqrt(static_cast<double>(counts[label])));
+        const Segment* segment = scene.findSegment(smoothing.label);
+        if (segment != nullptr && segment->smoothing) {
+            smoothing.length = std::min(*segment->smoothing, kLargestBump * width) / kBumpOverLength;
+            continue;
+        }
         const auto w = static_cast<float>(sums[label] / static_cast<double>(counts[label]));
-        const float sigma = noise.deviation.at(w);
-        result.push_back({.label = static_cast<std::uint16_t>(label),
-                          .length = std::sqrt(sigma / w * focalLength * (2 * correlation - 1) / kTilt),
-                          .noise = sigma,
-                          .correlation = correlation,
-                          .sample = photo.depthStep,
-                          .rounded = noise.quantised});
+        smoothing.noise = noise.deviation.at(w);
+        smoothing.length = std::min(std::sqrt(smoothing.noise / w * focalLength * (2 * correlation - 1) / kTilt),
+                                    kLargestPart * width);
     }
     return result;
 }
@@ -373,6 +386,7 @@ Step filterDepthStep() {
     step.params = [](const Scene& scene, Hash& hash) {
         const DepthFilterParams& p = scene.depthFilter;
         hash.add(p.enabled).add(p.automatic).add(p.spatialSigma).add(p.colorSigma).add(p.depthSigma).add(p.holeRadius);
+        for (const Segment& segment : scene.segments) hash.add(segment.label).add(segment.smoothing.value_or(-1.0f));
     };
     step.run = [](Board& board, const StepContext& context) {
         const Photo& photo = *board.scene->photo;
@@ -404,8 +418,11 @@ Step filterDepthStep() {
         if (board.scene->depthFilter.enabled) {
             Image<std::uint8_t> known(depth.width(), depth.height());
             for (std::size_t i = 0; i < depth.size(); ++i) known[i] = depth[i] > 0 ? 1 : 0;
-            smoothSurfaces(result->depth, known, photo.labels, photo.camera,
-                           smoothingOf(result->depth, *board.scene, noise), {context, kFilterDepthStep, 1.0f, 1.0f});
+            const std::vector<SurfaceSmoothing> segments = smoothingOf(result->depth, *board.scene, noise);
+            smoothSurfaces(result->depth, known, photo.labels, photo.camera, segments,
+                           {context, kFilterDepthStep, 1.0f, 1.0f});
+            for (const SurfaceSmoothing& segment : segments)
+                result->smoothing[segment.label] = kBumpOverLength * segment.length;
         }
         result->distant = findDistantPixels(result->depth);
         board.depth = std::move(result);

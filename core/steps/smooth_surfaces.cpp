@@ -19,11 +19,10 @@ constexpr double kJump = 3;       ///< second difference, in σ of the noise, at
 constexpr double kFarOff = 2.5;   ///< residual at which a measurement counts a quarter, in standard deviations
 constexpr double kFinestRatio = 12;  ///< smoothing length over the width of the cells that weights are found on
 constexpr double kCoarsestRatio = 3;
-constexpr double kLargestPart = 0.125;  ///< of the width of a segment (√pixels) that the smoothing length may be
-constexpr double kShortest = 1;         ///< [px] lengths below which there is nothing to smooth
-constexpr int kRounds = 6;              ///< of finding weights
-constexpr int kIterations = 30;         ///< of conjugate gradients on each level
-constexpr int kFollowing = 12;          ///< those on levels finer than the weights'
+constexpr double kShortest = 1;  ///< [px] lengths below which there is nothing to smooth
+constexpr int kRounds = 6;       ///< of finding weights
+constexpr int kIterations = 30;  ///< of conjugate gradients on each level
+constexpr int kFollowing = 12;   ///< those on levels finer than the weights'
 
 double gemanMcClure(double x) { return 1 / ((1 + x * x) * (1 + x * x)); }
 double fourthPower(double x) { return x * x * x * x; }
@@ -234,9 +233,8 @@ void smoothSurfaces(ImageF& depth, const Image<std::uint8_t>& measured, const La
         const StepPart own{part.context, part.step, share(s), share(s + 1)};
         const std::uint16_t label = segments[s].label;
         const auto& [box, count, nearest, farthest] = extents[label];
-        const double length =
-            std::min(static_cast<double>(segments[s].length), kLargestPart * std::sqrt(static_cast<double>(count)));
-        if (label == 0 || !(length > kShortest)) continue;
+        const auto length = static_cast<double>(segments[s].length);
+        if (label == 0 || count == 0 || !(length > kShortest)) continue;
         own.checkpoint(0);
         std::vector<WeakPlate> levels;
         WeakPlate& plate = levels.emplace_back(box.width(), box.height(), length);

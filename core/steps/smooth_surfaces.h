@@ -13,7 +13,7 @@ namespace core::steps {
 /// How far the surface of a segment is smoothed.
 struct SurfaceSmoothing {
     std::uint16_t label = 0;
-    float length = 0;       ///< [px] bumps and dents narrower than about this are smoothed away; 0 = none
+    float length = 0;       ///< [px] of the plate: halves bumps and dents π times as wide, removes narrower ones
     float noise = 0;        ///< σ of inverse depth [1/m]; 0 = not known, and `length` is the same all over the segment
     float correlation = 1;  ///< [px] pixels farther apart than this err independently
     float sample = 1;       ///< [px] distance of the measurements, as Photo::depthStep

@@ -72,6 +72,7 @@ struct FilteredDepth {
     ImageF depth;                 ///< planar z [m], 0 = none
     Image<std::uint8_t> distant;  ///< 1 = shows distant light (`findDistantPixels`)
     float relativeNoise = 0;      ///< standard deviation of the measured depth divided by it, estimated from the photo
+    std::map<std::uint16_t, float> smoothing;  ///< [px] by label, as Analysis::smoothing
 };
 
 /// Result of the back-side step.

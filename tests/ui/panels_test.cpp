@@ -321,6 +321,42 @@ TEST_F(Panels, BackSideIsInMillimetresAndPreviewed) {
     EXPECT_NEAR(test::child<ui::ProfileView>(panel, "backSideProfile")->maxThickness(), 0.1f, 1e-6f);
 }
 
+TEST_F(Panels, SmoothingFollowsTheNoiseOrTheUser) {
+    ui::BackSidePanel panel(workspace_);
+    open();
+    auto* automatic = test::child<QCheckBox>(panel, "smoothAutomatically");
+    auto* slider = test::child<ui::ParamSlider>(panel, "smoothing");
+    EXPECT_FALSE(automatic->isEnabled()) << "nothing is selected";
+    workspace_.select(2);
+    EXPECT_TRUE(automatic->isEnabled());
+    EXPECT_TRUE(automatic->isChecked());
+    EXPECT_FALSE(slider->isEnabled());
+    auto analysis = std::make_shared<core::Analysis>(*test::makeAnalysis(workspace_.scene()));
+    analysis->smoothing[2] = 7.5f;
+    workspace_.setAnalysis(analysis);
+    EXPECT_EQ(slider->value(), 7.5) << "what the noise asks for is shown";
+
+    automatic->click();
+    EXPECT_EQ(segment(2).smoothing, 7.5f);
+    EXPECT_TRUE(slider->isEnabled());
+    test::child<QDoubleSpinBox>(panel, "smoothingSpin")->setValue(12);
+    EXPECT_EQ(segment(2).smoothing, 12.0f);
+    EXPECT_FALSE(segment(1).smoothing.has_value());
+    workspace_.document().undo();
+    EXPECT_EQ(segment(2).smoothing, 7.5f);
+    EXPECT_EQ(slider->value(), 7.5);
+    workspace_.document().undo();
+    EXPECT_FALSE(segment(2).smoothing.has_value());
+    EXPECT_TRUE(automatic->isChecked());
+    EXPECT_FALSE(slider->isEnabled());
+
+    workspace_.document().redo();
+    automatic->click();
+    EXPECT_FALSE(segment(2).smoothing.has_value());
+    workspace_.editScene("off", [](core::Scene& scene) { scene.depthFilter.enabled = false; });
+    EXPECT_FALSE(automatic->isEnabled()) << "without the depth filter nothing is smoothed";
+}
+
 TEST_F(Panels, EnvironmentShowsMapsAndReflectance) {
     ui::EnvironmentPanel panel(workspace_);
     open();

@@ -197,6 +197,7 @@ TEST_F(PipelineTest, FirstChangedStage) {
     EXPECT_EQ(stage([](Scene&) {}), Stage::Display);
     EXPECT_EQ(stage([](Scene& s) { s.photo = std::make_shared<core::Photo>(*s.photo); }), Stage::Input);
     EXPECT_EQ(stage([](Scene& s) { s.depthFilter.colorSigma = 1; }), Stage::Geometry);
+    EXPECT_EQ(stage([](Scene& s) { s.segments[0].smoothing = 0; }), Stage::Geometry);
     EXPECT_EQ(stage([](Scene& s) { s.segments[0].backSide.offset = 1; }), Stage::BackSide);
     EXPECT_EQ(stage([](Scene& s) { s.backDepth = std::make_shared<core::ImageF>(80, 60); }), Stage::BackSide);
     EXPECT_EQ(stage([](Scene& s) { s.segments[0].glossy = true; }), Stage::Reflectance);

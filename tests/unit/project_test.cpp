@@ -77,6 +77,7 @@ TEST_F(ProjectTest, SavedProjectLoadsAsTheSameScene) {
     scene.segments[0].glossy = true;
     scene.segments[0].backSide = {core::BackSideMethod::ParallelMirror, 0.125f, 0.01f, 1.5f, 0.003f};
     scene.segments[0].reflectance = Vector3f(0.1f, 0.2f, 1.3f);
+    scene.segments[0].smoothing = 12.3f;
     scene.segments[0].edit =
         core::materialFromJson(R"({"brdf":"phong","exponent":33.3,"albedo":[0.1,0.2,0.3],"specular":[0.7,0.6,0.5],)"
                                R"("blend":{"new":0.75,"original":0.25}})");
@@ -120,6 +121,18 @@ TEST_F(ProjectTest, SavedProjectLoadsAsTheSameScene) {
     core::saveProject(loaded, folder / "again.patina");
     core::saveProject(core::loadProject(folder / "again.patina"), folder / "third.patina");
     EXPECT_EQ(test::readBytes(folder / "again.patina"), test::readBytes(folder / "third.patina"));
+}
+
+TEST_F(ProjectTest, SmoothingIsANumberOrAutomatic) {
+    json project = document();
+    const auto smoothing = [&](const json& value) {
+        project["segments"][0]["smoothing"] = value;
+        test::writeBytes(folder / "smoothing.patina", project.dump());
+        return core::loadProject(folder / "smoothing.patina").segments[0].smoothing;
+    };
+    EXPECT_EQ(smoothing(nullptr), std::nullopt);
+    EXPECT_EQ(smoothing(0), 0.0f);
+    EXPECT_EQ(smoothing(200), 200.0f);
 }
 
 TEST_F(ProjectTest, ProjectAndImagesMoveTogether) {
@@ -179,6 +192,8 @@ TEST_F(ProjectTest, WrongTypesAndRangesAreNamed) {
         {"/segments/0/glossy", 1, {"segments[0].glossy", "true or false"}},
         {"/segments/0/back_side/method", "magic", {"segments[0].back_side.method", "pca_mirror"}},
         {"/segments/0/reflectance", {1, 2}, {"segments[0].reflectance", "three numbers"}},
+        {"/segments/0/smoothing", 200.5, {"segments[0].smoothing", "is 200.5", "[0, 200]"}},
+        {"/segments/0/smoothing", "much", {"segments[0].smoothing", "much"}},
         {"/segments/0/edit", {{"brdf", "ggx"}, {"alpha", 7}}, {"segments[0].edit.alpha", "is 7", "[0.01, 1]"}},
         {"/depth_filter/hole_radius", 2.5, {"depth_filter.hole_radius", "2.5", "whole number"}},
         {"/render/samples", 0, {"render.samples", "is 0", "1 to 1000000"}},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/back_side_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -115,6 +116,24 @@ BackSidePanel::BackSidePanel(Workspace& workspace, QWidget* parent) : Panel(work
                                .logarithmic = true,
                                .decimals = 0},
                               [](core::Segment& s, float v) { s.backSide.thicknessScale = v / kPercent; });
+    auto* front = new QGroupBox(tr("Front"), this);
+    smoothAutomatically_ = new QCheckBox(tr("Smooth surface automatically"), front);
+    smoothAutomatically_->setObjectName(QStringLiteral("smoothAutomatically"));
+    smoothAutomatically_->setToolTip(
+        tr("The smoothing follows the noise of the depth map; part of the depth filter, which has to be on"));
+    smoothing_ = addSegmentSlider({.key = "smoothing",
+                                   .label = tr("Smoothing"),
+                                   .unit = tr("px"),
+                                   .toolTip = tr("Bumps and dents of the surface narrower than about this are smoothed "
+                                                 "away: more for porcelain, less for fur and carving; 0 = none"),
+                                   .minimum = 0,
+                                   .maximum = 100,
+                                   .initial = 12,
+                                   .decimals = 1},
+                                  [](core::Segment& s, float v) { s.smoothing = v; });
+    auto* frontLayout = new QVBoxLayout(front);
+    frontLayout->addWidget(smoothAutomatically_);
+    frontLayout->addWidget(smoothing_);
     profile_ = new ProfileView(this);
     profile_->setObjectName(QStringLiteral("backSideProfile"));
     profile_->setAccessibleName(tr("Preview of the back side"));
@@ -142,6 +161,7 @@ BackSidePanel::BackSidePanel(Workspace& workspace, QWidget* parent) : Panel(work
     layout->addWidget(planeShift_);
     layout->addWidget(scale_);
     layout->addWidget(thickness_);
+    layout->addWidget(front);
     layout->addWidget(profile_, 1);
     layout->addWidget(file);
 
@@ -149,6 +169,14 @@ BackSidePanel::BackSidePanel(Workspace& workspace, QWidget* parent) : Panel(work
         const auto method = static_cast<core::BackSideMethod>(method_->itemData(index).toInt());
         this->workspace().editSelected(tr("Change back side"),
                                        [method](core::Segment& s) { s.backSide.method = method; });
+    });
+    connect(smoothAutomatically_, &QCheckBox::clicked, this, [this](bool on) {
+        const auto value = static_cast<float>(smoothing_->value());
+        this->workspace().editSelected(on ? tr("Smooth surface automatically") : tr("Set smoothing"),
+                                       [&](core::Segment& segment) {
+                                           segment.smoothing.reset();
+                                           if (!on) segment.smoothing = value;
+                                       });
     });
     connect(loadBackDepth_, &QPushButton::clicked, this, &BackSidePanel::chooseBackDepth);
     connect(clearBackDepth_, &QPushButton::clicked, this, [this] {
@@ -186,6 +214,7 @@ void BackSidePanel::refresh() {
                              used == core::BackSideMethod::SpannedMirror));
     scale_->setEnabled(invented && used != core::BackSideMethod::Offset);
     outcome_->setText(outcomeText());
+    refreshSmoothing();
     loadBackDepth_->setEnabled(workspace().hasPhoto());
     clearBackDepth_->setEnabled(measured);
     backDepth_->setText(measured ? QFileInfo(QString::fromStdString(scene.backDepthPath)).fileName() : tr("None"));
@@ -196,6 +225,21 @@ void BackSidePanel::refresh() {
     planeShift_->setValue(static_cast<double>(segment->backSide.planeShift * kMillimetres));
     scale_->setValue(static_cast<double>(segment->backSide.thicknessScale * kPercent));
     thickness_->setValue(static_cast<double>(segment->backSide.minThickness * kMillimetres));
+}
+
+void BackSidePanel::refreshSmoothing() {
+    const core::Segment* segment = workspace().selectedSegment();
+    const bool filtered = segment != nullptr && workspace().scene().depthFilter.enabled;
+    const bool byHand = segment != nullptr && segment->smoothing.has_value();
+    smoothAutomatically_->setEnabled(filtered);
+    smoothAutomatically_->setChecked(!byHand);
+    smoothing_->setEnabled(filtered && byHand);
+    if (byHand) {
+        smoothing_->setValue(static_cast<double>(*segment->smoothing));
+    } else if (const auto& analysis = workspace().analysis(); segment != nullptr && analysis != nullptr) {
+        const auto found = analysis->smoothing.find(segment->label);
+        smoothing_->setValue(found != analysis->smoothing.end() ? static_cast<double>(found->second) : 0.0);
+    }
 }
 
 void BackSidePanel::refreshPreview() {

@@ -3,6 +3,7 @@
 
 #include "ui/panels/panel.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -12,7 +13,8 @@ namespace ui {
 class ParamSlider;
 class ProfileView;
 
-/// How the unseen back of the selected segment is invented, with a cut through it.
+/// The shape of the selected segment: how smooth its front is and how its unseen back is invented, with a cut through
+/// both.
 class BackSidePanel : public Panel {
     Q_OBJECT
   public:
@@ -24,10 +26,13 @@ class BackSidePanel : public Panel {
     /// What the analysis took for the selected segment, and why.
     [[nodiscard]] QString outcomeText() const;
     void refresh();
+    void refreshSmoothing();
     void refreshPreview();
     void chooseBackDepth();
 
     QLabel* title_ = nullptr;
+    QCheckBox* smoothAutomatically_ = nullptr;
+    ParamSlider* smoothing_ = nullptr;
     QComboBox* method_ = nullptr;
     QLabel* outcome_ = nullptr;
     ParamSlider* offset_ = nullptr;
