@@ -177,8 +177,10 @@ constexpr float kBumpOverLength = std::numbers::pi_v<float>;
 /// How far each segment's surface is smoothed: as the user says, else by the noise. Noise σ of relative depth that errs
 /// alike over n pixels tilts a plate of length L by about σ f n / L².
 std::vector<SurfaceSmoothing> smoothingOf(const ImageF& depth, const Scene& scene, const DepthNoise& noise) {
-    constexpr float kTilt = 0.1f;   // [rad] that is left in places; typically much less
-    constexpr float kTerraces = 4;  // [px] rounding errs alike over some pixels at least
+    constexpr float kTilt = 0.1f;  // [rad] that is left in places; typically much less
+    // Rounding whose σ makes a slope of 45 degrees over the distance of two measurements is coarse: cameras that round
+    // so match pictures, and err alike over some pixels [px]. Finer rounding is noise like any other.
+    constexpr float kTerraces = 4;
     // Of the width of a segment (√pixels): the automatic length, and the bumps that the user smooths away, at most.
     constexpr float kLargestPart = 0.125f;
     constexpr float kLargestBump = 0.5f;
@@ -190,15 +192,13 @@ std::vector<SurfaceSmoothing> smoothingOf(const ImageF& depth, const Scene& scen
         sums[photo.labels[i]] += 1.0 / static_cast<double>(depth[i]);
         ++counts[photo.labels[i]];
     }
-    const float correlation = noise.quantised ? std::max(noise.correlationLength, kTerraces) : noise.correlationLength;
     const float focalLength = 0.5f * (photo.camera.fx + photo.camera.fy);
     std::vector<SurfaceSmoothing> result;
     for (std::size_t label = 1; label < counts.size(); ++label) {
         if (counts[label] == 0) continue;
         SurfaceSmoothing& smoothing = result.emplace_back(SurfaceSmoothing{.label = static_cast<std::uint16_t>(label),
-                                                                           .correlation = correlation,
-                                                                           .sample = photo.depthStep,
-                                                                           .rounded = noise.quantised});
+                                                                           .correlation = noise.correlationLength,
+                                                                           .sample = photo.depthStep});
         const auto width = static_cast<float>(std::sqrt(static_cast<double>(counts[label])));
         const Segment* segment = scene.findSegment(smoothing.label);
         if (segment != nullptr && segment->smoothing) {
@@ -207,8 +207,10 @@ std::vector<SurfaceSmoothing> smoothingOf(const ImageF& depth, const Scene& scen
         }
         const auto w = static_cast<float>(sums[label] / static_cast<double>(counts[label]));
         smoothing.noise = noise.deviation.at(w);
-        smoothing.length = std::min(std::sqrt(smoothing.noise / w * focalLength * (2 * correlation - 1) / kTilt),
-                                    kLargestPart * width);
+        const float slope = smoothing.noise / w * focalLength;
+        smoothing.rounded = noise.quantised && slope > photo.depthStep;
+        if (smoothing.rounded) smoothing.correlation = std::max(smoothing.correlation, kTerraces);
+        smoothing.length = std::min(std::sqrt(slope * (2 * smoothing.correlation - 1) / kTilt), kLargestPart * width);
     }
     return result;
 }

@@ -4,9 +4,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <memory>
 #include <numbers>
 #include <optional>
+#include <vector>
 
+#include "core/io/project.h"
 #include "core/pipeline.h"
 #include "core/steps/step.h"
 #include "tests/support/shading_scene.h"
@@ -107,6 +111,42 @@ TEST(SegmentSmoothing, AChangeRecomputesTheDepth) {
     const auto smooth = front(12.0f);
     EXPECT_NE(smooth->depth, automatic->depth);
     EXPECT_NE(front(0.0f), smooth);
+}
+
+core::ImageV3 normalsOf(const core::Scene& scene) {
+    core::steps::Board board;
+    board.scene = &scene;
+    core::steps::filterDepthStep().run(board, {});
+    core::steps::surfaceStep().run(board, {});
+    return board.front->normal;
+}
+
+TEST(SegmentSmoothing, ReliefOfDepthInMillimetresIsKept) {
+    core::Scene scene = core::loadProject(PATINA_SAMPLES "/studio/studio.patina");
+    const core::ImageV3 truth = normalsOf(scene);
+    auto photo = std::make_shared<core::Photo>(*scene.photo);
+    for (float& z : photo->depth.pixels()) z = std::round(1000 * z) / 1000;
+    scene.photo = photo;
+    struct Errors {
+        float median, most;
+    };
+    // Median and 95 % of all segments but the table.
+    const auto errors = [&] {
+        const core::ImageV3 normals = normalsOf(scene);
+        std::vector<float> angles;
+        for (std::size_t i = 0; i < normals.size(); ++i)
+            if (photo->labels[i] > 1 && !truth[i].isZero(0))
+                angles.push_back(std::acos(std::clamp(truth[i].dot(normals[i]), -1.0f, 1.0f)) * 57.2958f);
+        std::ranges::sort(angles);
+        return Errors{angles[angles.size() / 2], angles[angles.size() * 95 / 100]};
+    };
+    const Errors smoothed = errors();
+    for (core::Segment& segment : scene.segments) segment.smoothing = 0;
+    const Errors unsmoothed = errors();
+    std::printf("studio in millimetres: normals %.2f / %.1f deg, without smoothing %.2f / %.1f\n", smoothed.median,
+                smoothed.most, unsmoothed.median, unsmoothed.most);
+    EXPECT_LT(smoothed.median, 1.02f * unsmoothed.median);
+    EXPECT_LT(smoothed.most, 1.02f * unsmoothed.most);
 }
 
 }  // namespace
