@@ -181,6 +181,7 @@ std::vector<SurfaceSmoothing> smoothingOf(const ImageF& depth, const Scene& scen
     // Rounding whose σ makes a slope of 45 degrees over the distance of two measurements is coarse: cameras that round
     // so match pictures, and err alike over some pixels [px]. Finer rounding is noise like any other.
     constexpr float kTerraces = 4;
+    constexpr float kTerraceOverSlope = 1.4f;  // a flat surface goes on without a step the longer the larger the step
     // Of the width of a segment (√pixels): the automatic length, and the bumps that the user smooths away, at most.
     constexpr float kLargestPart = 0.125f;
     constexpr float kLargestBump = 0.5f;
@@ -209,7 +210,8 @@ std::vector<SurfaceSmoothing> smoothingOf(const ImageF& depth, const Scene& scen
         smoothing.noise = noise.deviation.at(w);
         const float slope = smoothing.noise / w * focalLength;
         smoothing.rounded = noise.quantised && slope > photo.depthStep;
-        if (smoothing.rounded) smoothing.correlation = std::max(smoothing.correlation, kTerraces);
+        if (smoothing.rounded)
+            smoothing.correlation = std::max({smoothing.correlation, kTerraces, kTerraceOverSlope * slope});
         smoothing.length = std::min(std::sqrt(slope * (2 * smoothing.correlation - 1) / kTilt), kLargestPart * width);
     }
     return result;
