@@ -121,10 +121,10 @@ class PlateWeights {
         for (std::size_t i = 0; i < plate_.cellCount(); i += stride) {
             if (!plate_.inside(i)) continue;
             all.push_back(turns[i]);
-            if (measured_[i] > 0) off.push_back(std::abs(plate_.data(i) - plate_.value(i)));
+            if (noise_.rounded && measured_[i] > 0) off.push_back(std::abs(plate_.data(i) - plate_.value(i)));
         }
-        if (off.empty()) return;
-        const double spread = std::max(1.4826 * medianOf(off), noise_.sigma);
+        if (all.empty()) return;
+        const double spread = std::max(off.empty() ? 0.0 : 1.4826 * medianOf(off), noise_.sigma);
         const double fold = std::max(kFold, kUsualFold * medianOf(all));
         const double least = fourthPower(std::min(1.0, noise_.shortest() / plate_.length()));
         forCells([&](std::size_t i) {

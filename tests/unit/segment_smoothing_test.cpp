@@ -49,19 +49,24 @@ core::ImageF depthOf(const core::Scene& scene) {
     return board.depth->depth;
 }
 
-/// Largest sine of the angle between the wall and the normals of the relief, its rim of `margin` pixels left out.
-float reliefTilt(const core::Scene& scene, int margin) {
+core::ImageV3 normalsOf(const core::Scene& scene) {
     core::steps::Board board;
     board.scene = &scene;
     core::steps::filterDepthStep().run(board, {});
     core::steps::surfaceStep().run(board, {});
+    return board.front->normal;
+}
+
+/// Largest sine of the angle between the wall and the normals of the relief, its rim of `margin` pixels left out.
+float reliefTilt(const core::Scene& scene, int margin) {
+    const core::ImageV3 normals = normalsOf(scene);
     const core::LabelImage& labels = scene.photo->labels;
     float largest = 0;
     for (int y = margin; y < kWallSize - margin; ++y)
         for (int x = margin; x < kWallSize - margin; ++x)
             if (labels(x - margin, y) == kRelief && labels(x + margin, y) == kRelief &&
                 labels(x, y - margin) == kRelief && labels(x, y + margin) == kRelief)
-                largest = std::max(largest, board.front->normal(x, y).cross(kWallNormal).norm());
+                largest = std::max(largest, normals(x, y).cross(kWallNormal).norm());
     return largest;
 }
 
@@ -111,14 +116,6 @@ TEST(SegmentSmoothing, AChangeRecomputesTheDepth) {
     const auto smooth = front(12.0f);
     EXPECT_NE(smooth->depth, automatic->depth);
     EXPECT_NE(front(0.0f), smooth);
-}
-
-core::ImageV3 normalsOf(const core::Scene& scene) {
-    core::steps::Board board;
-    board.scene = &scene;
-    core::steps::filterDepthStep().run(board, {});
-    core::steps::surfaceStep().run(board, {});
-    return board.front->normal;
 }
 
 TEST(SegmentSmoothing, ReliefOfDepthInMillimetresIsKept) {
