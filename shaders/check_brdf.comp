@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples BRDFs, and integrates them over cells of the hemisphere (core/render/brdf_check.h).
+// Samples BRDFs, and integrates them over cells of the hemisphere (render/kernels/brdf_check.h).
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/brdf/brdf.h"
 #include "shaders/lib/list.glsl"

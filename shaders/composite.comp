@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blend of the new radiance and the photograph in one edited segment (DESIGN 3.5), translucent light added.
+// Blend of the new radiance and the photograph in one edited segment (docs/method.md#re-shading), translucent light added.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shaders/lib/pixels.glsl"

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A level's part of the sum over all surface samples, added to the next coarser level's, which the two-scale relation
-// of quadratic B-splines brings to this one's cells exactly (core/diffusion_grid.h).
+// of quadratic B-splines brings to this one's cells exactly (core/shading/diffusion_grid.h).
 // Light and, as if every sample had an irradiance of 1, area.
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/list.glsl"

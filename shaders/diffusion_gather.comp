@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sum over all surface samples from the grid onto the pixels of a segment (core/diffusion_grid.h), bounded
+// The sum over all surface samples from the grid onto the pixels of a segment (core/shading/diffusion_grid.h), bounded
 // where it would reflect more than it receives.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The light of surface samples, and their area, into the cells of the finest grid (core/diffusion_grid.h). One workgroup per brick.
+// The light of surface samples, and their area, into the cells of the finest grid (core/shading/diffusion_grid.h). One workgroup per brick.
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/list.glsl"
 #include "shaders/shared/diffusion_blocks.h"

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edge-aware filter of the re-shaded radiance, twin of core/image_filter.h, which states the weights.
+// Edge-aware filter of the re-shaded radiance, twin of core/shading/image_filter.h, which states the weights.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shaders/lib/pixels.glsl"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Includes point down only: app -> ui -> core/render -> {core, gpu}; core and gpu never see each other.
+# Includes point down only, between the targets: app -> ui -> render -> {core, gpu}, where core and gpu never see each
+# other; and between the rooms of core: base < material < scene < geometry < analysis < shading, with io above analysis.
 set -u
 cd "$(dirname "$0")/.."
 status=0
@@ -14,10 +15,16 @@ forbid() { # WHAT PATTERN PATH...
     status=1
 }
 
-mapfile -t core_files < <(find core -type f -not -path "core/render/*")
-forbid 'core must not see gpu, Vulkan, the renderer, ui or app.' 'gpu/|vulkan|core/render/|ui/|app/' "${core_files[@]}"
-forbid 'core and gpu must not see Qt.' 'Q[A-Z]|Qt' core gpu
-forbid 'gpu must not see anything above it.' 'core/|ui/|app/' gpu
-forbid 'core/render must not see ui or app.' 'ui/|app/' core/render
+forbid 'core must not see gpu, Vulkan, the renderer, ui or app.' 'gpu/|vulkan|render/|ui/|app/' core
+forbid 'core, gpu and render must not see Qt.' 'Q[A-Z]|Qt' core gpu render
+forbid 'gpu must not see anything above it.' 'core/|render/|ui/|app/' gpu
+forbid 'render must not see ui or app.' 'ui/|app/' render
 forbid 'ui must not see app.' 'app/' ui
+
+rooms=(base material scene geometry analysis shading)
+for ((i = 0; i < ${#rooms[@]}; ++i)); do
+    above=$(IFS='|'; echo "${rooms[*]:i+1}")
+    forbid "core/${rooms[i]} must not see a room above it." "core/(${above:+$above|}io)/" "core/${rooms[i]}"
+done
+forbid 'core/io must not see shading.' 'core/shading/' core/io
 exit $status

@@ -13,10 +13,10 @@
 #include <thread>
 #include <vector>
 
-#include "core/analysis.h"
-#include "core/analysis_kernels.h"
-#include "core/pipeline.h"
-#include "core/scene.h"
+#include "core/analysis/analysis.h"
+#include "core/analysis/kernels.h"
+#include "core/analysis/pipeline.h"
+#include "core/scene/scene.h"
 
 namespace ui {
 

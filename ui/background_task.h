@@ -6,7 +6,7 @@
 #include <functional>
 #include <thread>
 
-#include "core/step_context.h"
+#include "core/base/progress.h"
 
 namespace ui {
 

@@ -22,14 +22,15 @@
 #include <QVulkanInstance>
 #include <algorithm>
 
-#include "core/analysis_notes.h"
-#include "core/render/brdf_check.h"
-#include "core/render/gpu_analysis_kernels.h"
+#include "core/analysis/notes.h"
+#include "core/scene/changes.h"
 #include "gpu/error.h"
 #include "gpu/instance.h"
-#include "ui/mask_painter.h"
+#include "render/analysis/gpu_analysis_kernels.h"
+#include "render/kernels/brdf_check.h"
+#include "ui/canvas/mask_painter.h"
+#include "ui/canvas/ruler.h"
 #include "ui/panels/registry.h"
-#include "ui/ruler.h"
 #include "ui/vulkan_support.h"
 
 namespace ui {

@@ -6,9 +6,10 @@
 #include <memory>
 
 #include "core/io/project.h"
+#include "core/scene/changes.h"
 #include "ui/analysis_worker.h"
 #include "ui/background_task.h"
-#include "ui/canvas.h"
+#include "ui/canvas/canvas.h"
 #include "ui/workspace.h"
 
 class QActionGroup;

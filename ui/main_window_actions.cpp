@@ -14,8 +14,8 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "ui/canvas/ruler.h"
 #include "ui/main_window.h"
-#include "ui/ruler.h"
 
 namespace ui {
 

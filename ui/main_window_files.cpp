@@ -11,13 +11,13 @@
 #include <QStatusBar>
 #include <utility>
 
+#include "core/analysis/pipeline.h"
 #include "core/io/image_io.h"
 #include "core/io/project.h"
-#include "core/pipeline.h"
-#include "core/render/gpu_analysis_kernels.h"
-#include "core/render/renderer.h"
 #include "gpu/adapter.h"
 #include "gpu/instance.h"
+#include "render/analysis/gpu_analysis_kernels.h"
+#include "render/renderer.h"
 #include "ui/main_window.h"
 #include "ui/new_photo_dialog.h"
 

@@ -13,7 +13,7 @@ namespace ui {
 /// `problem`, when this machine or Qt platform has none.
 [[nodiscard]] std::unique_ptr<QVulkanInstance> createVulkanInstance(QString& problem);
 
-/// Makes the window use the device that gpu::Instance::requestAdapter would take for `wish` (DESIGN section 4). Throws
+/// Makes the window use the device that gpu::Instance::requestAdapter would take for `wish`. Throws
 /// gpu::Error when there is none.
 void selectPhysicalDevice(QVulkanWindow& window, const QString& wish);
 

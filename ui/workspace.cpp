@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workspace.h"
+#include "core/scene/changes.h"
 
 #include <utility>
 

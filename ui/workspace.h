@@ -6,9 +6,10 @@
 #include <memory>
 #include <string>
 
-#include "core/analysis.h"
-#include "core/brush.h"
-#include "core/document.h"
+#include "core/analysis/analysis.h"
+#include "core/scene/brush.h"
+#include "core/scene/changes.h"
+#include "core/scene/document.h"
 
 namespace ui {
 

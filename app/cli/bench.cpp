@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "app/bench/bench.h"
 #include "app/cli/devices.h"
 #include "app/cli/session.h"
-#include "core/pipeline.h"
-#include "core/render/bench.h"
+#include "core/analysis/pipeline.h"
 #include "gpu/adapter.h"
 
 namespace cli {

@@ -10,8 +10,8 @@
 
 #include "app/cli/devices.h"
 #include "app/cli/session.h"
-#include "core/brdf_file.h"
-#include "core/render/brdf_check.h"
+#include "core/material/brdf_file.h"
+#include "render/kernels/brdf_check.h"
 
 namespace cli {
 

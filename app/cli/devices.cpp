@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/session.h"
-#include "core/pipeline.h"
-#include "core/render/gpu_analysis_kernels.h"
+#include "core/analysis/pipeline.h"
 #include "gpu/instance.h"
+#include "render/analysis/gpu_analysis_kernels.h"
 
 namespace cli {
 

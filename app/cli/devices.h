@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/cli/session.h"
-#include "core/analysis_kernels.h"
+#include "core/analysis/kernels.h"
 #include "gpu/device.h"
 
 namespace cli {

@@ -6,10 +6,11 @@
 
 #include "app/cli/devices.h"
 #include "app/cli/session.h"
-#include "core/analysis_notes.h"
-#include "core/drives.h"
+#include "core/analysis/notes.h"
 #include "core/io/cryptomatte.h"
 #include "core/io/image_io.h"
+#include "core/material/drive_parameters.h"
+#include "core/shading/drive_table.h"
 
 namespace cli {
 

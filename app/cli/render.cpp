@@ -8,14 +8,14 @@
 
 #include "app/cli/devices.h"
 #include "app/cli/session.h"
-#include "core/analysis_notes.h"
-#include "core/brdf_file.h"
-#include "core/drives.h"
+#include "core/analysis/notes.h"
 #include "core/io/image_io.h"
 #include "core/io/project.h"
-#include "core/metals.h"
-#include "core/render/brdf_check.h"
-#include "core/render/renderer.h"
+#include "core/material/brdf_file.h"
+#include "core/material/metals.h"
+#include "core/scene/masks.h"
+#include "render/kernels/brdf_check.h"
+#include "render/renderer.h"
 
 namespace cli {
 

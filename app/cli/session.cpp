@@ -11,9 +11,9 @@
 #include <filesystem>
 #include <mutex>
 
-#include "core/brdf_file.h"
 #include "core/io/project.h"
-#include "core/mask.h"
+#include "core/material/brdf_file.h"
+#include "core/scene/mask.h"
 
 namespace cli {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/scene.h"
-#include "core/step_context.h"
+#include "core/base/progress.h"
+#include "core/scene/scene.h"
 
 namespace cli {
 

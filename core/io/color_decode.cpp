@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/srgb.h"
+#include "core/base/color.h"
 
 namespace core {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/scene.h"
+#include "core/scene/scene.h"
 
 namespace core {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/drives.h"
 #include "core/io/json_reader.h"
+#include "core/material/drive_parameters.h"
 
 namespace core {
 

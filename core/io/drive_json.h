@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/io/mask_io.h"
-#include "core/material.h"
+#include "core/material/material.h"
 
 namespace core {
 

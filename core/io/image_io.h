@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/directional_map.h"
-#include "core/image.h"
+#include "core/base/directional_map.h"
+#include "core/base/image.h"
 
 namespace core {
 

@@ -11,9 +11,9 @@
 #include <fstream>
 #include <functional>
 
-#include "core/io/atomic_file.h"
-#include "core/io/completeness.h"
+#include "core/base/files.h"
 #include "core/io/deep_exr.h"
+#include "core/io/truncation.h"
 
 namespace core {
 

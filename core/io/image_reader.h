@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "core/image.h"
+#include "core/base/image.h"
 #include "core/io/image_io.h"
 
 namespace core {

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/io/atomic_file.h"
+#include "core/base/color.h"
+#include "core/base/files.h"
 #include "core/io/image_io.h"
 #include "core/io/image_writer.h"
-#include "core/srgb.h"
 
 namespace core {
 

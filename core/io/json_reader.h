@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/error.h"
-#include "core/image.h"
+#include "core/base/error.h"
+#include "core/base/image.h"
 
 namespace core {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "core/mask.h"
-#include "core/scene.h"
+#include "core/scene/mask.h"
+#include "core/scene/scene.h"
 
 namespace core {
 

@@ -5,14 +5,14 @@
 #include <filesystem>
 #include <set>
 
-#include "core/brdf.h"
-#include "core/brdf_file.h"
 #include "core/io/drive_json.h"
 #include "core/io/json_reader.h"
 #include "core/io/project.h"
-#include "core/material_ranges.h"
-#include "core/metals.h"
-#include "core/translucency.h"
+#include "core/material/brdf.h"
+#include "core/material/brdf_file.h"
+#include "core/material/material_ranges.h"
+#include "core/material/metals.h"
+#include "core/material/translucency.h"
 
 namespace core {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/camera.h"
-#include "core/image.h"
+#include "core/base/camera.h"
+#include "core/base/image.h"
 
 namespace core {
 

@@ -7,11 +7,11 @@
 #include <numbers>
 #include <sstream>
 
+#include "core/analysis/depth/upsample_depth.h"
 #include "core/io/image_io.h"
 #include "core/io/import/import_format.h"
 #include "core/io/orientation.h"
 #include "core/io/project.h"
-#include "core/io/upsample_depth.h"
 
 namespace core {
 

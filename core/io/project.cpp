@@ -6,12 +6,12 @@
 #include <limits>
 #include <set>
 
-#include "core/drives.h"
-#include "core/io/atomic_file.h"
+#include "core/base/files.h"
 #include "core/io/image_io.h"
 #include "core/io/json_reader.h"
 #include "core/io/material_json.h"
 #include "core/io/photo_loader.h"
+#include "core/scene/masks.h"
 
 namespace core {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/scene.h"
+#include "core/scene/scene.h"
 
 namespace core {
 
@@ -57,7 +57,7 @@ inline constexpr float kMaxDepth = 10000.0f;
 /// Painted masks are written first (core/io/mask_io.h).
 void saveProject(const Scene& scene, const std::string& path);
 
-/// One `--edit` value (DESIGN section 5) as JSON text to a material and back. Throws Error(Usage) naming the key.
+/// One `--edit` value (docs/command-line.md) as JSON text to a material and back. Throws Error(Usage) naming the key.
 [[nodiscard]] Material materialFromJson(const std::string& json);
 [[nodiscard]] std::string materialToJson(const Material& material);
 

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One pass of the edge-avoiding depth filter, twin of core::steps::runFilterPass; core/steps/filter_depth.h says why the
+// One pass of the edge-avoiding depth filter, twin of core::analysis::runFilterPass; core/analysis/depth/filter_depth.h says why the
 // weights are what they are.
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/list.glsl"

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shepard's interpolation over the sphere, twin of core::steps::DirectionTree::interpolate: a walk down the tree per
+// Shepard's interpolation over the sphere, twin of core::analysis::DirectionTree::interpolate: a walk down the tree per
 // texel, with a stack instead of recursion, in the same order.
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/list.glsl"

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Normals by robust plane fits, positions and patch areas, twin of core::steps::computeSurface (core/steps/surface.h).
+// Normals by robust plane fits, positions and patch areas, twin of core::analysis::computeSurface (core/analysis/depth/normals.h).
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/list.glsl"
 #include "shaders/shared/fit_surface_block.h"

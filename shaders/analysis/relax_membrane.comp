@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Half a sweep of red-black over-relaxation of Laplace's equation on the sphere, twin of core::steps::relaxMembrane: all
+// Half a sweep of red-black over-relaxation of Laplace's equation on the sphere, twin of core::analysis::relaxMembrane: all
 // texels of one colour, which depend on the other colour only.
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/list.glsl"

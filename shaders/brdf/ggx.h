@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GGX microfacets [WMLT07]: f = F · D · G1(wi) · G1(wo) / (4 cos θi cos θo), separable Smith shadowing, isotropic,
 // single scattering (rough surfaces lose some energy). alpha is the width itself, not its root. A metal is its Fresnel
-// mode "conductor" with n and k (core/metals.h).
+// mode "conductor" with n and k (core/material/metals.h).
 #ifndef PATINA_BRDF_GGX_H
 #define PATINA_BRDF_GGX_H
 

@@ -19,7 +19,7 @@
     X(0, none)       \
     X(1, lambert) X(2, phong) X(3, ggx) X(4, oren_nayar) X(5, blinn_phong) X(6, ward) X(7, coated) X(8, artist)
 
-// BRDFs that a file defines (core/brdf_file.h) have an id, but no entry of their own in the list.
+// BRDFs that a file defines (core/material/brdf_file.h) have an id, but no entry of their own in the list.
 #define BRDF_MEASURED 9
 // Those that the user wrote: this id and the following ones, one for each file in use (shaders/brdf/user.h).
 #define BRDF_USER 10

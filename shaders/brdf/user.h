@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // BRDFs that the user wrote (docs/user-brdfs.md). A kernel's text is preprocessed with PATINA_USER_BRDFS when the
 // program is built; what is declared here is defined at its end when it is compiled, at run time
-// (core/render/user_kernels.cpp).
+// (render/kernels/user_kernels.cpp).
 #ifndef PATINA_BRDF_USER_H
 #define PATINA_BRDF_USER_H
 

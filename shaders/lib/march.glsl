@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ray marching in the two-layer depth image (DESIGN 3.5, core/depth_layers.h).
+// Ray marching in the two-layer depth image (docs/method.md#re-shading, core/geometry/depth_layers.h).
 //
 // Everything happens in (u, v, w) with w = 1/z, where rays stay straight lines and surface patches stay planes. With
 // s = t / (p.z + t d.z) the ray p + t d becomes start + s step: linear in s. Each pixel is a solid between its back and

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The path loop, twin of core/reference_renderer.h. The includer declares `SegmentShading shading[]`, `Drive drives[]`
+// The path loop, twin of core/shading/reference_renderer.h. The includer declares `SegmentShading shading[]`, `Drive drives[]`
 // and `float driveValues[]`.
 #ifndef PATINA_PATH_GLSL
 #define PATINA_PATH_GLSL

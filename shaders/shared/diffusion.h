@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The grids that light below a surface is summed on (core/diffusion_grid.h states the method): what the kernels and
-// core share.
+// The grids that light below a surface is summed on (core/shading/diffusion_grid.h states the method): what the kernels
+// and core share.
 #ifndef PATINA_DIFFUSION_H
 #define PATINA_DIFFUSION_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A parameter that varies over the pixels of a segment, and how a stored value becomes the parameter's. Shared by
-// kernels and the reference renderer; core/drives.h makes the tables.
+// kernels and the reference renderer; core/shading/drives.h makes the tables.
 #ifndef PATINA_DRIVE_H
 #define PATINA_DRIVE_H
 

@@ -14,7 +14,7 @@
 #define GEOMETRY_FRONT_NORMAL 6  // unit, outward
 #define GEOMETRY_BACK_NORMAL 7   // unit, outward
 #define GEOMETRY_ENVIRONMENT \
-    8  // radiance, latitude-longitude (core/directional_map.h); a = density of its sampling [1/sr]
+    8  // radiance, latitude-longitude (core/base/directional_map.h); a = density of its sampling [1/sr]
 #define GEOMETRY_ENVIRONMENT_TABLE 9  // float: core::EnvironmentSampler::table()
 
 KERNEL_BEGIN

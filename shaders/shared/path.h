@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a path does at a surface, shared by the re-shading kernels and the reference renderer
-// (core/reference_renderer.h states the whole loop).
+// (core/shading/reference_renderer.h states the whole loop).
 #ifndef PATINA_PATH_H
 #define PATINA_PATH_H
 

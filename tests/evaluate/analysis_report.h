@@ -3,7 +3,7 @@
 
 #include <ostream>
 
-#include "core/pipeline.h"
+#include "core/analysis/pipeline.h"
 #include "tests/evaluate/scene_folder.h"
 
 namespace evaluate {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/image.h"
+#include "core/base/image.h"
 
 namespace evaluate {
 

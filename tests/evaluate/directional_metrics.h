@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/directional_map.h"
+#include "core/base/directional_map.h"
 
 namespace evaluate {
 

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "core/io/image_io.h"
-#include "core/render/renderer.h"
-#include "core/silhouette.h"
+#include "core/shading/silhouette.h"
+#include "render/renderer.h"
 #include "tests/evaluate/device.h"
 #include "tests/evaluate/markdown.h"
 #include "tests/evaluate/metrics.h"

@@ -4,7 +4,7 @@
 #include <ostream>
 #include <vector>
 
-#include "core/pipeline.h"
+#include "core/analysis/pipeline.h"
 #include "tests/evaluate/scene_folder.h"
 
 namespace evaluate {

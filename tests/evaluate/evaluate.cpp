@@ -10,8 +10,8 @@
 #include <iostream>
 #include <sstream>
 
+#include "core/analysis/pipeline.h"
 #include "core/io/image_io.h"
-#include "core/pipeline.h"
 #include "tests/evaluate/analysis_report.h"
 #include "tests/evaluate/contact_sheet.h"
 #include "tests/evaluate/device.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/srgb.h"
+#include "core/base/color.h"
 
 namespace evaluate {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/image.h"
+#include "core/base/image.h"
 
 namespace evaluate {
 

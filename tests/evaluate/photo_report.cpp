@@ -5,7 +5,7 @@
 
 #include "core/io/image_io.h"
 #include "core/io/project.h"
-#include "core/render/renderer.h"
+#include "render/renderer.h"
 #include "tests/evaluate/device.h"
 #include "tests/evaluate/markdown.h"
 #include "tests/evaluate/metrics.h"

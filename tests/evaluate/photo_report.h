@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <ostream>
 
-#include "core/pipeline.h"
 #include "tests/evaluate/contact_sheet.h"
 #include "tests/evaluate/json.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "core/image.h"
+#include "core/base/image.h"
 
 namespace evaluate {
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "core/analysis.h"
+#include "core/analysis/analysis.h"
 #include "tests/evaluate/contact_sheet.h"
 #include "tests/evaluate/edit_report.h"
 #include "tests/evaluate/scene_folder.h"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <map>
 
-#include "core/render/bench.h"
+#include "app/bench/bench.h"
 #include "tests/evaluate/analysis_report.h"
 #include "tests/evaluate/device.h"
 #include "tests/evaluate/markdown.h"

@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
+#include "core/analysis/pipeline.h"
 #include "core/io/project.h"
-#include "core/pipeline.h"
-#include "core/render/gpu_analysis_kernels.h"
+#include "render/analysis/gpu_analysis_kernels.h"
 #include "tests/gpu/render_support.h"
 
 namespace {
@@ -67,8 +67,8 @@ Picture makePicture(int width, int height, float noise, unsigned seed) {
 
 constexpr std::pair<int, int> kSizes[] = {{1, 1}, {257, 3}, {3, 131}, {97, 61}, {200, 150}};
 
-core::steps::FilterPass makeFilterPass(int step) {
-    core::steps::FilterPass pass;
+core::analysis::FilterPass makeFilterPass(int step) {
+    core::analysis::FilterPass pass;
     std::size_t i = 0;
     for (int dy = 0; dy <= 2; ++dy)
         for (int dx = -2; dx <= 2; ++dx)
@@ -87,13 +87,13 @@ TEST(AnalysisKernels, FilterDepthLikeTheCpu) {
     GpuAnalysisKernels kernels(testing_support::device());
     for (const auto& [width, height] : kSizes) {
         const Picture picture = makePicture(width, height, 0.01f, 5);
-        const auto color = core::steps::encodeColor(picture.color, part());
-        const ImageF w = core::steps::inverseOf(picture.depth);
+        const auto color = core::analysis::encodeColor(picture.color, part());
+        const ImageF w = core::analysis::inverseOf(picture.depth);
         const auto filter = kernels.depthFilter(color, picture.labels);
         double changed = 0;
         for (const int step : {1, 4}) {
-            const core::steps::FilterPass pass = makeFilterPass(step);
-            const ImageF expected = core::steps::runFilterPass(pass, w, color, picture.labels, part());
+            const core::analysis::FilterPass pass = makeFilterPass(step);
+            const ImageF expected = core::analysis::runFilterPass(pass, w, color, picture.labels, part());
             const ImageF actual = filter->run(pass, w, part());
             for (std::size_t i = 0; i < w.size(); ++i) {
                 // Sums of 12 pairs of floats, in any order and fused: some units in the last place of w.
@@ -125,12 +125,12 @@ TEST(AnalysisKernels, FitSurfacesLikeTheCpu) {
             for (int y = 0; y < height; ++y)
                 for (int x = 0; x < width / 2; x += 3) known(x, y) = Vector3f(0.6f, 0, 0.8f);
             for (const core::ImageV3* given : {static_cast<const core::ImageV3*>(nullptr), &std::as_const(known)}) {
-                const auto side = given != nullptr ? core::steps::Side::Back : core::steps::Side::Front;
-                const core::steps::SurfaceInput input{picture.camera, picture.labels, side, noise, given};
+                const auto side = given != nullptr ? core::analysis::Side::Back : core::analysis::Side::Front;
+                const core::analysis::SurfaceInput input{picture.camera, picture.labels, side, noise, given};
                 core::Surface expected;
                 core::Surface actual;
                 expected.depth = actual.depth = picture.depth;
-                core::steps::computeSurface(input, expected, part());
+                core::analysis::computeSurface(input, expected, part());
                 kernels.computeSurface(input, actual, part());
                 for (std::size_t i = 0; i < picture.depth.size(); ++i) {
                     const float z = picture.depth[i];
@@ -231,8 +231,8 @@ TEST(AnalysisKernels, FillDirectionsLikeTheCpu) {
 
         core::DirectionalMap expected = map;
         core::DirectionalMap actual = map;
-        const core::steps::DirectionTree tree(map);
-        core::steps::fillShepard(tree, expected, part());
+        const core::analysis::DirectionTree tree(map);
+        core::analysis::fillShepard(tree, expected, part());
         kernels.fillShepard(tree, actual, part());
         std::size_t different = 0;
         for (std::size_t i = 0; i < map.radiance.size(); ++i) {
@@ -247,10 +247,10 @@ TEST(AnalysisKernels, FillDirectionsLikeTheCpu) {
             << "height " << height;
 
         for (const float screen : {0.0f, 0.06f}) {
-            const auto rows = core::steps::membraneRows(height, screen);
+            const auto rows = core::analysis::membraneRows(height, screen);
             core::ImageRgb expectedValues = map.radiance;
             core::ImageRgb actualValues = map.radiance;
-            core::steps::relaxMembrane(map.coverage, rows, expectedValues, part());
+            core::analysis::relaxMembrane(map.coverage, rows, expectedValues, part());
             kernels.relaxMembrane(map.coverage, rows, actualValues, part());
             for (std::size_t i = 0; i < map.radiance.size(); ++i)
                 // 60 sweeps that average: rounding does not build up.
@@ -360,10 +360,10 @@ void expectStops(const char* what, const Work& work) {
 TEST(AnalysisKernels, StopBetweenSlices) {
     GpuAnalysisKernels kernels(testing_support::device());
     const Picture picture = makePicture(200, 150, 0.01f, 5);
-    const auto color = core::steps::encodeColor(picture.color, part());
+    const auto color = core::analysis::encodeColor(picture.color, part());
     expectStops("depth filter", [&](const core::StepPart& stopped) {
         (void)kernels.depthFilter(color, picture.labels)
-            ->run(makeFilterPass(1), core::steps::inverseOf(picture.depth), stopped);
+            ->run(makeFilterPass(1), core::analysis::inverseOf(picture.depth), stopped);
     });
     expectStops("surface", [&](const core::StepPart& stopped) {
         core::Surface surface;
@@ -377,10 +377,10 @@ TEST(AnalysisKernels, StopBetweenSlices) {
     });
     core::DirectionalMap map = partlyKnown(64);
     expectStops("Shepard", [&](const core::StepPart& stopped) {
-        kernels.fillShepard(core::steps::DirectionTree(map), map, stopped);
+        kernels.fillShepard(core::analysis::DirectionTree(map), map, stopped);
     });
     expectStops("membrane", [&](const core::StepPart& stopped) {
-        kernels.relaxMembrane(map.coverage, core::steps::membraneRows(64, 0), map.radiance, stopped);
+        kernels.relaxMembrane(map.coverage, core::analysis::membraneRows(64, 0), map.radiance, stopped);
     });
     EXPECT_TRUE(kernels.takeNotes().empty());
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/drives.h"
 
 #include <gtest/gtest.h>
 
-#include "core/brdf.h"
-#include "core/reference_renderer.h"
-#include "core/render/renderer.h"
+#include "core/material/brdf.h"
+#include "core/shading/reference_renderer.h"
+#include "render/renderer.h"
 #include "tests/gpu/render_support.h"
 
 namespace {

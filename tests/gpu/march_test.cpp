@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/depth_layers.h"
+#include "core/geometry/depth_layers.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/render/march_rays.h"
-#include "core/render/scene_geometry.h"
 #include "gpu/readback.h"
+#include "render/analysis/march_rays.h"
+#include "render/scene_geometry.h"
 #include "shaders/shared/geometry_block.h"
 #include "tests/gpu/render_support.h"
 

@@ -7,11 +7,11 @@
 #include <random>
 #include <vector>
 
-#include "core/analysis.h"
-#include "core/brdf.h"
-#include "core/depth_layers.h"
-#include "core/directional_map.h"
-#include "core/scene.h"
+#include "core/analysis/analysis.h"
+#include "core/base/directional_map.h"
+#include "core/geometry/depth_layers.h"
+#include "core/material/brdf.h"
+#include "core/scene/scene.h"
 #include "gpu/adapter.h"
 #include "gpu/device.h"
 #include "gpu/instance.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/renderer.h"
+#include "render/renderer.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,11 @@
 #include <chrono>
 #include <cstring>
 
-#include "core/brdf_file.h"
-#include "core/environment_sampler.h"
-#include "core/reference_renderer.h"
-#include "core/render/scene_geometry.h"
-#include "core/translucency.h"
+#include "core/material/brdf_file.h"
+#include "core/shading/environment_sampler.h"
+#include "core/shading/reference_renderer.h"
 #include "gpu/readback.h"
+#include "render/scene_geometry.h"
 #include "tests/gpu/render_support.h"
 #include "tests/support/merl_file.h"
 #include "tests/support/temp_folder.h"

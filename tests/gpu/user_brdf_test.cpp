@@ -2,11 +2,11 @@
 // BRDFs that the user wrote: what the compiler and the check say of them, and what they render.
 #include <gtest/gtest.h>
 
-#include "core/brdf_file.h"
-#include "core/reference_renderer.h"
-#include "core/render/brdf_check.h"
-#include "core/render/renderer.h"
-#include "core/render/user_kernels.h"
+#include "core/material/brdf_file.h"
+#include "core/shading/reference_renderer.h"
+#include "render/kernels/brdf_check.h"
+#include "render/kernels/user_kernels.h"
+#include "render/renderer.h"
 #include "tests/gpu/render_support.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"

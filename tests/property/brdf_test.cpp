@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/brdf.h"
+#include "core/material/brdf.h"
 #include "shaders/brdf/brdf.h"
 #include "shaders/shared/rng.h"
 #include "tests/support/brdf_properties.h"

@@ -7,9 +7,11 @@
 #include <random>
 #include <vector>
 
-#include "core/environment_sampler.h"
-#include "core/luminance.h"
-#include "core/reference_renderer.h"
+#include "core/base/color.h"
+#include "core/shading/environment_sampler.h"
+#include "core/shading/image_filter.h"
+#include "core/shading/reference_renderer.h"
+#include "core/shading/surface_samples.h"
 #include "tests/support/shading_scene.h"
 #include "tests/support/statistics.h"
 

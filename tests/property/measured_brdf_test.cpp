@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/brdf_file.h"
+#include "core/material/brdf_file.h"
 #include "tests/support/brdf_properties.h"
 #include "tests/support/merl_file.h"
 #include "tests/support/temp_folder.h"

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Furnaces and closed forms for the oracle itself.
-#include "core/reference_renderer.h"
+#include "core/shading/reference_renderer.h"
+#include "core/material/diffusion_profile.h"
+#include "core/material/translucency.h"
+#include "core/shading/image_filter.h"
+#include "core/shading/surface_samples.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-#include "core/image.h"
+#include "core/base/image.h"
 
 namespace test {
 

@@ -10,8 +10,8 @@
 #include <random>
 #include <vector>
 
-#include "core/analysis.h"
-#include "core/scene.h"
+#include "core/analysis/analysis.h"
+#include "core/scene/scene.h"
 
 /// Scenes of exact shapes, ray traced in double: independent truth for everything the analysis estimates from a photo.
 namespace test {

@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "core/analysis.h"
-#include "core/brdf.h"
-#include "core/scene.h"
+#include "core/analysis/analysis.h"
+#include "core/material/brdf.h"
+#include "core/scene/scene.h"
 
 namespace test {
 

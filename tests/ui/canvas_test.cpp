@@ -20,15 +20,15 @@
 #include <cstdlib>
 #include <limits>
 
+#include "core/analysis/pipeline.h"
 #include "core/io/image_io.h"
 #include "core/io/project.h"
-#include "core/pipeline.h"
-#include "core/render/renderer.h"
 #include "gpu/instance.h"
+#include "render/renderer.h"
 #include "tests/ui/stall_meter.h"
 #include "tests/ui/support.h"
-#include "ui/canvas_renderer.h"
-#include "ui/canvas_window.h"
+#include "ui/canvas/canvas_renderer.h"
+#include "ui/canvas/canvas_window.h"
 #include "ui/main_window.h"
 
 namespace {

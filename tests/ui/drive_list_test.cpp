@@ -10,8 +10,8 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 
-#include "core/brdf.h"
 #include "core/io/image_io.h"
+#include "core/material/brdf.h"
 #include "tests/ui/support.h"
 #include "ui/widgets/color_button.h"
 

@@ -15,10 +15,10 @@
 #include <QTreeWidget>
 #include <numbers>
 
-#include "core/brdf_file.h"
 #include "core/io/image_io.h"
-#include "core/metals.h"
-#include "core/translucency.h"
+#include "core/material/brdf_file.h"
+#include "core/material/metals.h"
+#include "core/material/translucency.h"
 #include "tests/support/merl_file.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/user_brdf_text.h"

@@ -6,8 +6,8 @@
 #include <functional>
 #include <string>
 
-#include "core/analysis.h"
-#include "core/scene.h"
+#include "core/analysis/analysis.h"
+#include "core/scene/scene.h"
 
 namespace test {
 

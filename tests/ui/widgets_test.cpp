@@ -9,11 +9,11 @@
 #include <set>
 
 #include "tests/ui/support.h"
-#include "ui/canvas.h"
-#include "ui/display.h"
-#include "ui/ruler.h"
-#include "ui/view_layer.h"
-#include "ui/view_transform.h"
+#include "ui/canvas/canvas.h"
+#include "ui/canvas/display.h"
+#include "ui/canvas/ruler.h"
+#include "ui/canvas/view_layer.h"
+#include "ui/canvas/view_transform.h"
 #include "ui/widgets/color_button.h"
 #include "ui/widgets/map_view.h"
 #include "ui/widgets/param_slider.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/analysis_notes.h"
+#include "core/analysis/notes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/pipeline.h"
+#include "core/analysis/pipeline.h"
 #include "tests/support/ray_scene.h"
 
 namespace {

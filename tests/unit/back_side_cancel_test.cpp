@@ -7,8 +7,8 @@
 #include <string_view>
 #include <thread>
 
-#include "core/error.h"
-#include "core/steps/step.h"
+#include "core/analysis/step.h"
+#include "core/base/error.h"
 #include "tests/support/ray_scene.h"
 
 namespace {
@@ -17,11 +17,11 @@ using core::StepContext;
 
 TEST(BackSideCancel, StopsAtTheNextCheckpointAndLeavesTheOldBack) {
     const core::Scene scene = test::stillLife(test::testCamera(240, 180)).scene();
-    core::steps::Board board;
+    core::analysis::Board board;
     board.scene = &scene;
-    core::steps::filterDepthStep().run(board, {});
-    core::steps::surfaceStep().run(board, {});
-    const core::steps::Step step = core::steps::backSideStep();
+    core::analysis::filterDepthStep().run(board, {});
+    core::analysis::surfaceStep().run(board, {});
+    const core::analysis::Step step = core::analysis::backSideStep();
     std::atomic<int> checkpoints = 0;
     step.run(board, StepContext([&](std::string_view, float) { ++checkpoints; }));
     const auto before = board.back;

@@ -14,10 +14,10 @@
 #include <set>
 #include <string>
 
+#include "core/analysis/back/back_side.h"
+#include "core/analysis/depth/normals.h"
+#include "core/analysis/segment/support_planes.h"
 #include "core/io/image_io.h"
-#include "core/steps/back_side.h"
-#include "core/steps/supports.h"
-#include "core/steps/surface.h"
 
 namespace {
 
@@ -56,7 +56,7 @@ TEST_P(BackSideReference, AutomaticIsNearTheBestMethod) {
     core::Surface front;
     front.depth = depth;
     front.color = core::ImageRgb(depth.width(), depth.height());
-    core::steps::computeSurface({camera, labels}, front, {{}, "Surface"});
+    core::analysis::computeSurface({camera, labels}, front, {{}, "Surface"});
 
     std::vector<core::Segment> segments;
     for (const auto& entry : json["segments"]) {
@@ -68,10 +68,10 @@ TEST_P(BackSideReference, AutomaticIsNearTheBestMethod) {
     std::array<core::ImageF, kMethods.size()> backs;
     for (std::size_t m = 0; m < kMethods.size(); ++m) {
         for (core::Segment& segment : segments) segment.backSide.method = kMethods[m];
-        backs[m] = core::steps::inventBackSide(camera, labels, front, segments, nullptr, 0, {}).surface.depth;
+        backs[m] = core::analysis::inventBackSide(camera, labels, front, segments, nullptr, 0, {}).surface.depth;
     }
 
-    const std::vector<bool> supports = core::steps::findSupports(labels);
+    const std::vector<bool> supports = core::analysis::findSupports(labels);
     std::printf("%-32s offset parallel   pca  spanned  faces  automatic\n", GetParam());
     for (const core::Segment& segment : segments) {
         std::array<float, kMethods.size()> relative{};

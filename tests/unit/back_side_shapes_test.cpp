@@ -7,15 +7,15 @@
 #include <cmath>
 #include <functional>
 
-#include "core/steps/back_side.h"
-#include "core/steps/supports.h"
+#include "core/analysis/back/back_side.h"
+#include "core/analysis/segment/support_planes.h"
 #include "tests/support/ray_scene.h"
 
 namespace {
 
 using core::BackSideMethod;
 using core::Vector3f;
-using core::steps::BackLayer;
+using core::analysis::BackLayer;
 using test::Vector3d;
 
 using Interval = test::Shape::Interval;
@@ -163,7 +163,7 @@ Result invent(const View& view, const core::BackSideParams& params = {}) {
     segments[1].label = kObject;
     for (core::Segment& segment : segments) segment.backSide = params;
     result.back =
-        core::steps::inventBackSide(view.photo.camera, result.photo.labels, view.front, segments, nullptr, 0, {});
+        core::analysis::inventBackSide(view.photo.camera, result.photo.labels, view.front, segments, nullptr, 0, {});
     return result;
 }
 
@@ -174,7 +174,7 @@ Result inventPart(const test::RayScene& scene, const std::function<bool(int, int
         for (int x = 0; x < result.photo.labels.width(); ++x)
             if (result.photo.labels(x, y) == kObject && !keep(x, y)) result.photo.labels(x, y) = 3;
     result.back =
-        core::steps::inventBackSide(scene.camera, result.photo.labels, scene.frontSurface(), {}, nullptr, 0, {});
+        core::analysis::inventBackSide(scene.camera, result.photo.labels, scene.frontSurface(), {}, nullptr, 0, {});
     return result;
 }
 
@@ -369,7 +369,7 @@ TEST(BackSideShapes, NoDepthNoBack) {
     front.area = front.depth;
     front.normal = front.position = core::ImageV3(320, 240);
     front.color = photo.color;
-    const BackLayer back = core::steps::inventBackSide(photo.camera, photo.labels, front, {}, nullptr, 0, {});
+    const BackLayer back = core::analysis::inventBackSide(photo.camera, photo.labels, front, {}, nullptr, 0, {});
     EXPECT_TRUE(back.segments.empty());
     EXPECT_TRUE(std::ranges::all_of(back.surface.depth.pixels(), [](float z) { return z == 0; }));
 }
@@ -378,15 +378,15 @@ TEST(BackSideShapes, SupportPlaneIsTheTableTop) {
     const test::RayScene scene = kTable.with(std::make_shared<test::Sphere>(kTable.top + 0.1 * kTable.up, 0.1));
     const core::Photo photo = scene.photograph();
     const core::Surface front = scene.frontSurface();
-    const std::vector<bool> supports = core::steps::findSupports(photo.labels);
-    core::steps::SegmentPixels segment{scene.camera, photo.labels, front, supports, kObject, {}, {}};
+    const std::vector<bool> supports = core::analysis::findSupports(photo.labels);
+    core::analysis::SegmentPixels segment{scene.camera, photo.labels, front, supports, kObject, {}, {}};
     for (int y = 0; y < 240; ++y)
         for (int x = 0; x < 320; ++x)
             if (segment.contains(x, y)) {
                 segment.pixels.push_back({x, y});
                 segment.box.add({x, y});
             }
-    const auto plane = core::steps::fitSupportPlane(segment);
+    const auto plane = core::analysis::fitSupportPlane(segment);
     ASSERT_TRUE(plane);
     EXPECT_GT(plane->normal.dot(-kTable.up.cast<float>()), 0.9999f);
     EXPECT_NEAR(plane->offset, -kTable.top.dot(kTable.up), 1e-3);

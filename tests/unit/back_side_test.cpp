@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The invented back side (DESIGN 3.2) against solids whose back is known.
+// The invented back side (docs/method.md#back-side) against solids whose back is known.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/steps/back_side.h"
-#include "core/steps/mirror_plane.h"
-#include "core/steps/supports.h"
+#include "core/analysis/back/back_side.h"
+#include "core/analysis/back/mirror_plane.h"
+#include "core/analysis/segment/support_planes.h"
 #include "tests/support/ray_scene.h"
 
 namespace {
 
 using core::BackSideMethod;
 using core::Vector3f;
-using core::steps::BackLayer;
+using core::analysis::BackLayer;
 using test::Vector3d;
 
 struct BackSide : testing::Test {
@@ -34,7 +34,7 @@ struct BackSide : testing::Test {
             segments.push_back(segment);
         }
         core::Surface front = scene.frontSurface();
-        return core::steps::inventBackSide(scene.camera, photo.labels, front, segments, userDepth, 0, {});
+        return core::analysis::inventBackSide(scene.camera, photo.labels, front, segments, userDepth, 0, {});
     }
     /// Median |z_back − truth| over the median true thickness.
     static float relativeError(const test::RayScene& scene, const BackLayer& back, std::uint16_t label) {
@@ -136,7 +136,7 @@ TEST_F(BackSide, NormalIsMostSimilarAxis) {
     for (int i = 0; i < 4000; ++i)
         points.push_back(axes * Vector3f(normal(random), 0.3f * normal(random), 0.1f * normal(random)) +
                          Vector3f(0, 0, 5));
-    const auto axis = core::steps::mirrorAxis(points);
+    const auto axis = core::analysis::mirrorAxis(points);
     ASSERT_TRUE(axis);
     EXPECT_GT(axis->dot(axes.col(2)), 0.999f);
     EXPECT_GT(axis->z(), 0);
@@ -145,8 +145,8 @@ TEST_F(BackSide, NormalIsMostSimilarAxis) {
 TEST_F(BackSide, PointsOnALineHaveNoAxis) {
     std::vector<Vector3f> points;
     for (int i = 0; i < 50; ++i) points.emplace_back(0.01f * static_cast<float>(i), 0, 1);
-    EXPECT_FALSE(core::steps::mirrorAxis(points));
-    EXPECT_FALSE(core::steps::mirrorAxis(std::span(points).first(2)));
+    EXPECT_FALSE(core::analysis::mirrorAxis(points));
+    EXPECT_FALSE(core::analysis::mirrorAxis(std::span(points).first(2)));
 }
 
 TEST_F(BackSide, OffsetMovesTheFrontBack) {
@@ -166,7 +166,7 @@ TEST_F(BackSide, OffsetMovesTheFrontBack) {
 
 TEST_F(BackSide, TablesAreSlabsNotMirrors) {
     const test::RayScene scene = test::stillLife(test::testCamera());
-    const std::vector<bool> supports = core::steps::findSupports(scene.photograph().labels);
+    const std::vector<bool> supports = core::analysis::findSupports(scene.photograph().labels);
     EXPECT_TRUE(supports[1]);
     EXPECT_FALSE(supports[2]);
     EXPECT_FALSE(supports[3]);
@@ -183,7 +183,7 @@ TEST_F(BackSide, TinySegmentsFallBackToOffsetAndSaySo) {
     for (std::size_t i = 0; i < photo.labels.size(); ++i) photo.labels[i] = photo.labels[i] != 0 ? 1 : 0;
     photo.labels(120, 90) = 7;
     photo.labels(121, 90) = 7;
-    const BackLayer back = core::steps::inventBackSide(photo.camera, photo.labels, front, {}, nullptr, 0, {});
+    const BackLayer back = core::analysis::inventBackSide(photo.camera, photo.labels, front, {}, nullptr, 0, {});
     ASSERT_EQ(back.segments.size(), 2u);
     EXPECT_EQ(back.segments[1].label, 7);
     EXPECT_EQ(back.segments[1].used, BackSideMethod::Offset);

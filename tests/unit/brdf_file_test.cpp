@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/brdf_file.h"
+#include "core/material/brdf_file.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/io/project.h"
-#include "core/reference_renderer.h"
+#include "core/shading/segment_shading.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/merl_file.h"
 #include "tests/support/temp_folder.h"

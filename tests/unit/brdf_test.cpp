@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/brdf.h"
+#include "core/material/brdf.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <string>
 
 #include "core/io/project.h"
-#include "core/metals.h"
+#include "core/material/metals.h"
 #include "shaders/brdf/brdf.h"
 
 namespace core {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/brush.h"
+#include "core/scene/brush.h"
 
 #include <gtest/gtest.h>
 

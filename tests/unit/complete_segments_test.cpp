@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/steps/filter_depth.h"
+#include "core/analysis/depth/filter_depth.h"
 
 namespace {
 
@@ -26,7 +26,7 @@ TEST(CompleteSegments, SpansHolesFromTheSegmentOnly) {
         for (int x = 5; x < 14; ++x) depth(x, y) = 0;
     for (int y = 0; y < 30; ++y) depth(24, y) = 0;
 
-    core::steps::completeSegments(depth, labels);
+    core::analysis::completeSegments(depth, labels);
     for (int y = 8; y < 20; ++y)
         for (int x = 5; x < 14; ++x)
             EXPECT_NEAR(1.0f / depth(x, y), 1.0f + 0.01f * static_cast<float>(x + y), 1e-3f) << x << ' ' << y;
@@ -41,7 +41,7 @@ TEST(CompleteSegments, LeavesValidPixelsAndEmptySegmentsAlone) {
     ImageF depth(8, 8, 2.0f);
     depth(4, 4) = 0;
     for (int y = 0; y < 8; ++y) labels(0, y) = 4, depth(0, y) = 0;
-    core::steps::completeSegments(depth, labels);
+    core::analysis::completeSegments(depth, labels);
     EXPECT_NEAR(depth(4, 4), 2.0f, 1e-5f);
     for (int y = 0; y < 8; ++y) {
         EXPECT_EQ(depth(0, y), 0.0f);  // nothing is known of segment 4

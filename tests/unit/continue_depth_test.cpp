@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Depth continued into what a sensor missed or got wrong.
-#include "core/steps/continue_depth.h"
+#include "core/analysis/depth/continue_depth.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ struct GappedScene {
     core::LabelImage labels{kGappedWidth, kGappedHeight, 7};
     ImageF truth{kGappedWidth, kGappedHeight, 0.5f};
     ImageF depth;
-    core::steps::DepthGaps gaps{core::Image<std::uint8_t>(kGappedWidth, kGappedHeight, 0), 8, 16};
+    core::analysis::DepthGaps gaps{core::Image<std::uint8_t>(kGappedWidth, kGappedHeight, 0), 8, 16};
 
     explicit GappedScene(float slope) {
         for (int y = 0; y < kGappedHeight; ++y)
@@ -34,7 +34,7 @@ struct GappedScene {
         for (int y = 0; y < kGappedHeight; ++y)
             for (int x = first; x < kGappedWidth - 10; ++x) gaps.isGap(x, y) = 1, depth(x, y) = 0;
     }
-    void run() { core::steps::continueDepth(depth, labels, camera, gaps, {{}, "test"}); }
+    void run() { core::analysis::continueDepth(depth, labels, camera, gaps, {{}, "test"}); }
     [[nodiscard]] float worst() const {
         float result = 0;
         for (std::size_t i = 0; i < depth.size(); ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a table is taken to go on beyond what is seen of it, against one whose extent is known.
-#include "core/steps/continued_supports.h"
+#include "core/analysis/segment/continued_supports.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace {
 
 using core::Vector3f;
-using core::steps::ContinuedSupports;
+using core::analysis::ContinuedSupports;
 
 /// Floor, sphere and box; the floor ends within the picture behind, and beyond it at the sides.
 struct ContinuedFloor : testing::Test {

@@ -12,11 +12,11 @@
 #include <numbers>
 #include <random>
 
+#include "core/analysis/depth/filter_depth.h"
+#include "core/analysis/depth/normals.h"
+#include "core/analysis/depth/upsample_depth.h"
 #include "core/io/image_io.h"
 #include "core/io/image_reader.h"
-#include "core/io/upsample_depth.h"
-#include "core/steps/filter_depth.h"
-#include "core/steps/surface.h"
 #include "tests/support/ray_scene.h"
 #include "tests/support/sensor_noise.h"
 
@@ -76,10 +76,10 @@ ImageV3 analysedNormals(const core::Photo& photo, bool filter) {
     core::Scene scene;
     scene.photo = std::make_shared<core::Photo>(photo);
     scene.depthFilter.enabled = filter;
-    core::steps::Board board;
+    core::analysis::Board board;
     board.scene = &scene;
-    core::steps::filterDepthStep().run(board, {});
-    core::steps::surfaceStep().run(board, {});
+    core::analysis::filterDepthStep().run(board, {});
+    core::analysis::surfaceStep().run(board, {});
     return board.front->normal;
 }
 
@@ -93,7 +93,7 @@ TEST(DepthNoise, CorrelationLengthAndDeviationAreFound) {
         core::ImageF noisy = inverse;
         const core::ImageF noise = correlatedNoise(480, 360, sigma);
         for (std::size_t i = 0; i < noisy.size(); ++i) noisy[i] += 0.002f * noise[i];
-        return core::steps::estimateDepthNoise(noisy, labels, 1, {});
+        return core::analysis::estimateDepthNoise(noisy, labels, 1, {});
     };
     const auto white = estimate(0.1f);
     EXPECT_EQ(white.correlationLength, 1);
@@ -102,7 +102,7 @@ TEST(DepthNoise, CorrelationLengthAndDeviationAreFound) {
     EXPECT_GE(correlated.correlationLength, 4);
     EXPECT_LE(correlated.correlationLength, 8);
     EXPECT_NEAR(correlated.deviation.at(1.3f), 0.002f, 0.0006f);
-    EXPECT_EQ(core::steps::estimateDepthNoise(inverse, labels, 1, {}).relative, 0);
+    EXPECT_EQ(core::analysis::estimateDepthNoise(inverse, labels, 1, {}).relative, 0);
 }
 
 TEST(DepthNoise, FilterHelpsOnAStillLife) {
@@ -147,7 +147,7 @@ TEST(DepthNoise, TerracesOfAnEnlargedMapAreSmoothed) {
     for (const float factor : {1.05f, 2.0f}) {
         const core::Photo photo = withEnlargedTerraces(480, 360, factor);
         const auto noise =
-            core::steps::estimateDepthNoise(core::steps::inverseOf(photo.depth), photo.labels, factor, {});
+            core::analysis::estimateDepthNoise(core::analysis::inverseOf(photo.depth), photo.labels, factor, {});
         EXPECT_TRUE(noise.quantised) << factor;
         // The floor's rows are level, so that rows between two steps look like steps of their own.
         EXPECT_GT(noise.deviation.at(1), 0.4f * 0.006f / std::sqrt(12.0f)) << factor;
@@ -185,10 +185,10 @@ TEST(DepthNoise, RoundingIsFoundWhereDepthIsSteepToo) {
         }
     }
     const core::LabelImage labels(480, 360);
-    const auto noise = core::steps::estimateDepthNoise(rounded, labels, 1, {});
+    const auto noise = core::analysis::estimateDepthNoise(rounded, labels, 1, {});
     EXPECT_TRUE(noise.quantised);
     EXPECT_NEAR(noise.deviation.at(1.7f), kStep / std::sqrt(12.0f), 0.1f * kStep);
-    EXPECT_EQ(core::steps::estimateDepthNoise(exact, labels, 1, {}).relative, 0);
+    EXPECT_EQ(core::analysis::estimateDepthNoise(exact, labels, 1, {}).relative, 0);
 }
 
 TEST(DepthNoise, RoundingBeforeTheLastResamplingIsFound) {
@@ -206,10 +206,10 @@ TEST(DepthNoise, RoundingBeforeTheLastResamplingIsFound) {
         }
     }
     const core::LabelImage labels(480, 360);
-    const auto coarse = core::steps::estimateDepthNoise(smeared, labels, 1, {});
+    const auto coarse = core::analysis::estimateDepthNoise(smeared, labels, 1, {});
     EXPECT_TRUE(coarse.quantised);
     EXPECT_NEAR(coarse.deviation.at(0.15f), 4 * kCode / std::sqrt(12.0f), 0.4f * kCode);
-    const auto byte = core::steps::estimateDepthNoise(fine, labels, 1, {});
+    const auto byte = core::analysis::estimateDepthNoise(fine, labels, 1, {});
     EXPECT_NEAR(byte.deviation.at(0.15f), kCode / std::sqrt(12.0f), 0.1f * kCode);
 }
 
@@ -225,10 +225,10 @@ TEST(DepthNoise, AreasOfANoisySquareAddUp) {
     core::Photo photo = scene.photograph();
     photo.depth = withInverseNoise(photo.depth, correlatedNoise(480, 360, 2.5f), 0.001f);
     input.photo = std::make_shared<core::Photo>(photo);
-    core::steps::Board board;
+    core::analysis::Board board;
     board.scene = &input;
-    core::steps::filterDepthStep().run(board, {});
-    core::steps::surfaceStep().run(board, {});
+    core::analysis::filterDepthStep().run(board, {});
+    core::analysis::surfaceStep().run(board, {});
     double sum = 0;
     for (const float a : board.front->area.pixels()) sum += static_cast<double>(a);
     EXPECT_NEAR(sum, 0.16, 0.02 * 0.16);

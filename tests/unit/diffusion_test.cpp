@@ -6,9 +6,9 @@
 #include <numbers>
 #include <random>
 
-#include "core/diffusion_grid.h"
-#include "core/diffusion_profile.h"
-#include "core/translucency.h"
+#include "core/material/diffusion_profile.h"
+#include "core/material/translucency.h"
+#include "core/shading/diffusion_grid.h"
 
 namespace core {
 namespace {

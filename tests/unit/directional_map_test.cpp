@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/directional_map.h"
+#include "core/base/directional_map.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "core/steps/fill_directions.h"
+#include "core/analysis/light/fill_directions.h"
 #include "tests/support/ray_scene.h"
 
 namespace {
@@ -102,7 +102,7 @@ TEST(FillDirections, KeepsWhatIsKnownAndCoverage) {
         map.coverage(x, 8) = 0;
         map.radiance(x, 8).setZero();
     }
-    core::steps::fillDirections(map, core::EnvironmentFill::Shepard, Vector3f(9, 9, 9), "test", {});
+    core::analysis::fillDirections(map, core::EnvironmentFill::Shepard, Vector3f(9, 9, 9), "test", {});
     for (int y = 0; y < 16; ++y) {
         for (int x = 0; x < 32; ++x) {
             if (y == 8 && x % 2 == 0) {
@@ -123,7 +123,7 @@ TEST(FillDirections, AgreesWithAllPairsSummation) {
         mapOf(height, [&](const Vector3f& d) { return Vector3f(1 + d.x(), 1 + 0.5f * d.z(), value(random)); });
     for (std::size_t i = 0; i < map.coverage.size(); ++i) map.coverage[i] = value(random) < 0.15f ? 3.0f : 0.0f;
     DirectionalMap filled = map;
-    core::steps::fillDirections(filled, core::EnvironmentFill::Shepard, Vector3f::Zero(), "test", {});
+    core::analysis::fillDirections(filled, core::EnvironmentFill::Shepard, Vector3f::Zero(), "test", {});
     double squares = 0;
     int count = 0;
     for (int y = 0; y < height; ++y) {
@@ -160,7 +160,7 @@ TEST(FillDirections, SphereHasNoSeamAndNoPoles) {
     map.coverage(0, height / 2) = 1;
     map.radiance(height, height / 2) = Vector3f(0, 1, 0);
     map.coverage(height, height / 2) = 1;
-    core::steps::fillDirections(map, core::EnvironmentFill::Shepard, Vector3f::Zero(), "test", {});
+    core::analysis::fillDirections(map, core::EnvironmentFill::Shepard, Vector3f::Zero(), "test", {});
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < 2 * height; ++x) {
             if (map.coverage(x, y) > 0) continue;
@@ -177,7 +177,7 @@ TEST(FillDirections, SphereHasNoSeamAndNoPoles) {
 
 TEST(FillDirections, NothingKnownGivesTheFallback) {
     DirectionalMap map{core::ImageRgb(16, 8), core::ImageF(16, 8)};
-    core::steps::fillDirections(map, core::EnvironmentFill::Shepard, Vector3f(1, 2, 3), "test", {});
+    core::analysis::fillDirections(map, core::EnvironmentFill::Shepard, Vector3f(1, 2, 3), "test", {});
     for (const Vector3f& c : map.radiance.pixels()) EXPECT_EQ(c, Vector3f(1, 2, 3));
     EXPECT_FLOAT_EQ(map.mean().y(), 2);
 }
@@ -194,7 +194,7 @@ TEST(FillMembrane, SolvesLaplacesEquationOnTheSphere) {
             map.coverage(x, y) = 0;
             map.radiance(x, y).setZero();
         }
-    core::steps::fillDirections(map, core::EnvironmentFill::Membrane, Vector3f::Zero(), "test", {});
+    core::analysis::fillDirections(map, core::EnvironmentFill::Membrane, Vector3f::Zero(), "test", {});
     for (int y = 12; y < 52; ++y)
         for (int x = 0; x < 128; x += 5) {
             const Vector3f expected = truth(texelDirection(x, y, 128, 64));
@@ -208,8 +208,8 @@ TEST(FillMembrane, SunAtTheEdgeOfWhatWasSeenDoesNotSpread) {
         for (int x = 0; x < 128; ++x) map.coverage(x, y) = 0;
     map.radiance(40, 31) = Vector3f(5000, 5000, 5000);
     DirectionalMap shepard = map;
-    core::steps::fillDirections(map, core::EnvironmentFill::Membrane, Vector3f::Zero(), "test", {});
-    core::steps::fillDirections(shepard, core::EnvironmentFill::Shepard, Vector3f::Zero(), "test", {});
+    core::analysis::fillDirections(map, core::EnvironmentFill::Membrane, Vector3f::Zero(), "test", {});
+    core::analysis::fillDirections(shepard, core::EnvironmentFill::Shepard, Vector3f::Zero(), "test", {});
     double membraneSum = 0, shepardSum = 0, weight = 0;
     for (int y = 32; y < 64; ++y)
         for (int x = 0; x < 128; ++x) {
@@ -227,7 +227,7 @@ TEST(CompleteDirections, FadesFromWhatWasSeenToTheUsersMap) {
     for (int y = 32; y < 64; ++y)
         for (int x = 0; x < 128; ++x) map.coverage(x, y) = 0;
     const core::ImageRgb user(128, 64, Vector3f(3, 3, 3));
-    core::steps::completeDirections(map, user, "test", {});
+    core::analysis::completeDirections(map, user, "test", {});
     EXPECT_EQ(map.radiance(10, 31).x(), 1);
     EXPECT_NEAR(map.radiance(10, 32).x(), 3 - 2 * std::exp(-std::numbers::pi_v<float> / 64 / 0.06f), 0.1f);
     for (int y = 33; y < 64; ++y) EXPECT_GT(map.radiance(10, y).x(), map.radiance(10, y - 1).x() - 1e-4f);
@@ -236,7 +236,7 @@ TEST(CompleteDirections, FadesFromWhatWasSeenToTheUsersMap) {
 }
 
 TEST(DirectionalAccumulator, TakesTheWeightedMeanPerTexel) {
-    core::steps::DirectionalAccumulator sum(8);
+    core::analysis::DirectionalAccumulator sum(8);
     const Vector3f d = texelDirection(3, 2, 16, 8);
     sum.add(d, {1, 2, 3});
     sum.add(d, {4, 2, 0}, 0.5f);
@@ -249,7 +249,7 @@ TEST(DirectionalAccumulator, TakesTheWeightedMeanPerTexel) {
 }
 
 TEST(DirectionalAccumulator, ClippedChannelsCountOnlyWhereNothingElseIsKnown) {
-    core::steps::DirectionalAccumulator sum(8);
+    core::analysis::DirectionalAccumulator sum(8);
     const Vector3f both = texelDirection(3, 2, 16, 8);
     sum.add(both, {1, 1, 0.5f}, 1, 0b011);
     sum.add(both, {5, 1, 0.7f}, 1, 0b010);

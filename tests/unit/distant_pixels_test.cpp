@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/steps/distant_pixels.h"
+#include "core/analysis/depth/distant_pixels.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ TEST(DistantPixels, RegionsAtTheBorderAreDistantButForTheirRim) {
     ImageF depth(40, 30, 1.0f);
     for (int y = 0; y < 10; ++y)
         for (int x = 0; x < 40; ++x) depth(x, y) = 0;
-    const auto distant = core::steps::findDistantPixels(depth);
+    const auto distant = core::analysis::findDistantPixels(depth);
     EXPECT_EQ(distant(20, 0), 1);
     EXPECT_EQ(distant(20, 8), 1);
     EXPECT_EQ(distant(20, 9), 0) << "mixes with what has depth";
@@ -25,7 +25,7 @@ TEST(DistantPixels, SmallEnclosedHolesAreNotLargeOnesAre) {
         for (int x = 10; x < 20; ++x) depth(x, y) = 0;  // 1 %
     for (int y = 40; y < 60; ++y)
         for (int x = 40; x < 60; ++x) depth(x, y) = 0;  // 4 %
-    const auto distant = core::steps::findDistantPixels(depth);
+    const auto distant = core::analysis::findDistantPixels(depth);
     EXPECT_EQ(distant(15, 15), 0);
     EXPECT_EQ(distant(50, 50), 1);
 }
@@ -36,11 +36,11 @@ TEST(DistantPixels, RaysEndAtTheirVanishingPoint) {
     photo.color = core::ImageRgb(40, 30, Vector3f(1, 2, 3));
     photo.color(30, 5) = Vector3f(7, 8, 9);
     ImageF depth(40, 30, 0.0f);
-    const auto distant = core::steps::findDistantPixels(depth);
+    const auto distant = core::analysis::findDistantPixels(depth);
     const Vector3f d = photo.camera.pixelRay(30, 5).normalized();
-    EXPECT_EQ(core::steps::distantColor(photo, distant, d), Vector3f(7, 8, 9));
-    EXPECT_FALSE(core::steps::distantColor(photo, distant, {0, 0, -1}));
-    EXPECT_FALSE(core::steps::distantColor(photo, distant, Vector3f(5, 0, 1).normalized()));
+    EXPECT_EQ(core::analysis::distantColor(photo, distant, d), Vector3f(7, 8, 9));
+    EXPECT_FALSE(core::analysis::distantColor(photo, distant, {0, 0, -1}));
+    EXPECT_FALSE(core::analysis::distantColor(photo, distant, Vector3f(5, 0, 1).normalized()));
 }
 
 }  // namespace

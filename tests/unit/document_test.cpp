@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document.h"
+#include "core/scene/document.h"
+#include "core/scene/changes.h"
 
 #include <gtest/gtest.h>
 

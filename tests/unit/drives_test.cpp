@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/drives.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +7,15 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/analysis/pipeline.h"
+#include "core/analysis/step.h"
+#include "core/base/color.h"
 #include "core/io/mask_io.h"
 #include "core/io/project.h"
-#include "core/luminance.h"
-#include "core/pipeline.h"
-#include "core/reference_renderer.h"
-#include "core/steps/step.h"
+#include "core/scene/changes.h"
+#include "core/scene/masks.h"
+#include "core/shading/drive_table.h"
+#include "core/shading/reference_renderer.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/image_files.h"
 #include "tests/support/shading_scene.h"
@@ -65,10 +67,10 @@ test::AnalyticScene ball(int size) {
 
 /// The step that separates texture from shading, on this scene.
 std::shared_ptr<const core::ImageF> textureDetail(const test::AnalyticScene& s) {
-    core::steps::Board board;
+    core::analysis::Board board;
     board.scene = &s.scene;
     board.front = s.analysis->front;
-    core::steps::textureDetailStep().run(board, core::StepContext());
+    core::analysis::textureDetailStep().run(board, core::StepContext());
     return board.textureDetail;
 }
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/srgb.h"
+#include "core/base/color.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/image_filter.h"
+#include "core/shading/image_filter.h"
 #include "shaders/shared/rng.h"
 #include "tests/support/shading_scene.h"
 

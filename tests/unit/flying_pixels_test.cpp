@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Depth along outlines that belongs to what lies behind: blurred maps, flying pixels, generous outlines.
-#include "core/steps/flying_pixels.h"
+#include "core/analysis/depth/flying_pixels.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/steps/filter_depth.h"
+#include "core/analysis/depth/filter_depth.h"
 #include "tests/support/ray_scene.h"
 #include "tests/support/sensor_noise.h"
 
@@ -59,8 +59,8 @@ double wrongPart(const ImageF& depth, const ImageF& truth, const core::LabelImag
 
 double wrongPartAfterRemoval(ImageF depth, const ImageF& truth, const core::LabelImage& labels,
                              const core::Camera& camera, float limit, float pixelsPerSample = 1) {
-    core::steps::removeFlyingPixels(depth, labels, camera, pixelsPerSample, {});
-    core::steps::completeSegments(depth, labels);
+    core::analysis::removeFlyingPixels(depth, labels, camera, pixelsPerSample, {});
+    core::analysis::completeSegments(depth, labels);
     return wrongPart(depth, truth, labels, limit);
 }
 
@@ -68,12 +68,12 @@ TEST(FlyingPixels, ExactOutlinesAreLeftAlone) {
     const test::RayScene scene = thingsBeforeAWall();
     const core::Photo photo = scene.photograph();
     ImageF depth = photo.depth;
-    core::steps::removeFlyingPixels(depth, photo.labels, photo.camera, 1, {});
+    core::analysis::removeFlyingPixels(depth, photo.labels, photo.camera, 1, {});
     EXPECT_EQ(depth, photo.depth);
 
     const core::Photo still = test::stillLife(test::testCamera(320, 240)).photograph();
     depth = still.depth;
-    core::steps::removeFlyingPixels(depth, still.labels, still.camera, 1, {});
+    core::analysis::removeFlyingPixels(depth, still.labels, still.camera, 1, {});
     EXPECT_EQ(depth, still.depth);
 }
 
@@ -101,7 +101,7 @@ TEST(FlyingPixels, RampsOfAnEnlargedMapThatEndInAJumpAreRemoved) {
     ASSERT_GT(before, 0.08);
     EXPECT_LT(after, 0.5 * before);
     ImageF exact = photo.depth;
-    core::steps::removeFlyingPixels(exact, photo.labels, photo.camera, 2, {});
+    core::analysis::removeFlyingPixels(exact, photo.labels, photo.camera, 2, {});
     EXPECT_EQ(exact, photo.depth) << "the rim of a ball is no ramp";
 }
 
@@ -127,8 +127,8 @@ TEST(FlyingPixels, AGenerousOutlineTakesNoBackgroundIn) {
                     if (generous.contains(x + dx, y + dy) && photo.labels(x + dx, y + dy) > 1)
                         generous(x, y) = photo.labels(x + dx, y + dy);
     ImageF depth = photo.depth;
-    core::steps::removeFlyingPixels(depth, generous, photo.camera, 1, {});
-    core::steps::completeSegments(depth, generous);
+    core::analysis::removeFlyingPixels(depth, generous, photo.camera, 1, {});
+    core::analysis::completeSegments(depth, generous);
     for (std::size_t i = 0; i < depth.size(); ++i) {
         if (generous[i] > 1) {
             EXPECT_LT(depth[i], 1.3f) << "the wall is 2 m away";
@@ -174,7 +174,7 @@ TEST(FlyingPixels, AStripOfTheFloorBehindIsRemoved) {
     }
     ASSERT_GT(strip, 100);
     ImageF depth = measured;
-    core::steps::removeFlyingPixels(depth, photo.labels, photo.camera, 1, {});
+    core::analysis::removeFlyingPixels(depth, photo.labels, photo.camera, 1, {});
     int left = 0, lost = 0;
     for (std::size_t i = 0; i < depth.size(); ++i) {
         if (photo.labels[i] < 2 || measured[i] <= 0) continue;

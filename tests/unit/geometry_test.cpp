@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Depth filter, normals, positions and areas (DESIGN 3.1) against exact planes and spheres.
+// Depth filter, normals, positions and areas (docs/method.md#depth) against exact planes and spheres.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "core/steps/filter_depth.h"
-#include "core/steps/surface.h"
+#include "core/analysis/depth/filter_depth.h"
+#include "core/analysis/depth/normals.h"
 #include "tests/support/ray_scene.h"
 
 namespace {
@@ -15,7 +15,7 @@ namespace {
 using core::ImageF;
 using core::ImageV3;
 using core::Vector3f;
-using core::steps::Side;
+using core::analysis::Side;
 using test::Vector3d;
 
 float degreesBetween(const Vector3f& a, const Vector3f& b) {
@@ -25,7 +25,7 @@ float degreesBetween(const Vector3f& a, const Vector3f& b) {
 ImageV3 normalsOf(const core::Photo& photo, const ImageF& depth, Side side = Side::Front, float noise = 0) {
     core::Surface surface;
     surface.depth = depth;
-    core::steps::computeSurface({photo.camera, photo.labels, side, noise}, surface, {{}, "test"});
+    core::analysis::computeSurface({photo.camera, photo.labels, side, noise}, surface, {{}, "test"});
     return surface.normal;
 }
 
@@ -56,7 +56,7 @@ double totalArea(const core::Surface& surface) {
 core::Surface surfaceOf(const core::Photo& photo) {
     core::Surface surface;
     surface.depth = photo.depth;
-    core::steps::computeSurface({photo.camera, photo.labels}, surface, {{}, "test"});
+    core::analysis::computeSurface({photo.camera, photo.labels}, surface, {{}, "test"});
     return surface;
 }
 
@@ -186,15 +186,15 @@ TEST(Geometry, LonePixelsAndLinesHaveFiniteNormals) {
 struct FilterTest : testing::Test {
     static ImageF filter(const core::Photo& photo, const ImageF& depth, float noise,
                          const core::DepthFilterParams& params = {}) {
-        core::steps::DepthNoise flat;
+        core::analysis::DepthNoise flat;
         flat.deviation.cellsPerUnit = 1;
         for (std::size_t i = 0; i < flat.deviation.sigma.size(); ++i)
             flat.deviation.sigma[i] = noise * static_cast<float>(i);
         flat.relative = noise;
-        return core::steps::filterDepth(depth, photo.color, photo.labels, photo.camera, params, flat, 1, {});
+        return core::analysis::filterDepth(depth, photo.color, photo.labels, photo.camera, params, flat, 1, {});
     }
     static float estimateNoise(const ImageF& depth, const core::LabelImage& labels) {
-        return core::steps::estimateDepthNoise(core::steps::inverseOf(depth), labels, 1, {}).relative;
+        return core::analysis::estimateDepthNoise(core::analysis::inverseOf(depth), labels, 1, {}).relative;
     }
     static ImageF withNoise(const ImageF& depth, float sigma, unsigned seed) {
         std::mt19937 random(seed);
@@ -277,7 +277,7 @@ TEST_F(FilterTest, SmallHolesInsideASegmentAreClosed) {
     punch(150, 110, 4, 4);
     punch(160, 120, 16, 12);
     punch(140, 100, 1, 30);
-    core::steps::fillSmallHoles(depth, labels, 3);
+    core::analysis::fillSmallHoles(depth, labels, 3);
     for (int y = 110; y < 114; ++y)
         for (int x = 150; x < 154; ++x) EXPECT_NEAR(depth(x, y), photo.depth(x, y), 1e-5f);
     for (int y = 100; y < 130; ++y) EXPECT_NEAR(depth(140, y), photo.depth(140, y), 1e-5f);

@@ -5,12 +5,12 @@
 
 #include <cmath>
 
+#include "core/base/color.h"
 #include "core/io/import/import_format.h"
 #include "core/io/import/lzf.h"
 #include "core/io/import/xmp.h"
 #include "core/io/orientation.h"
 #include "core/io/project.h"
-#include "core/srgb.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/photo_containers.h"
 

@@ -9,7 +9,7 @@
 #include <csignal>
 #include <thread>
 
-#include "core/io/atomic_file.h"
+#include "core/base/files.h"
 #include "core/io/cryptomatte.h"
 #include "core/io/image_io.h"
 #include "tests/support/expect_error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/steps/light_from_shading.h"
+#include "core/analysis/light/light_from_shading.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-#include "core/steps/environment.h"
+#include "core/analysis/light/environment.h"
 
 namespace {
 
@@ -44,8 +44,8 @@ struct ShadedBall {
         }
     }
 
-    [[nodiscard]] core::steps::ShadingLight light() const {
-        return core::steps::lightFromShading(photo, front, {}, "test", 0);
+    [[nodiscard]] core::analysis::ShadingLight light() const {
+        return core::analysis::lightFromShading(photo, front, {}, "test", 0);
     }
 };
 
@@ -73,7 +73,7 @@ TEST(LightFromShading, OutliersDoNotPull) {
 }
 
 TEST(LightFromShading, ALampFillsTheSphereWithTheRadianceItClaims) {
-    const core::steps::ShadingLight light{{0, 0, 1}, 1.5f, 2};
+    const core::analysis::ShadingLight light{{0, 0, 1}, 1.5f, 2};
     double sum = 0;
     double along = 0;
     constexpr int kSteps = 2000;
@@ -96,7 +96,7 @@ TEST(LightFromShading, NothingCurvedIsLitFromAbove) {
 
 /// Radiance that what faces the camera gets on the average.
 float received(const ShadedBall& ball) {
-    const core::steps::ShadingLight light = ball.light();
+    const core::analysis::ShadingLight light = ball.light();
     const float k = light.concentration;
     Vector3f facing = Vector3f::Zero();
     float count = 0;
@@ -146,13 +146,13 @@ core::DirectionalMap environmentOf(const ShadedBall& ball, bool contradicts, std
     auto reflectance = std::make_shared<core::Reflectance>();
     reflectance->label = 1;
     reflectance->reliable = !contradicts;
-    auto seen = std::make_shared<core::steps::SegmentReflections>();
+    auto seen = std::make_shared<core::analysis::SegmentReflections>();
     seen->estimate = *reflectance;
     seen->missed = {core::ImageRgb(32, 16, Vector3f(1, 0, 0)), core::ImageF(32, 16, 1.0f)};
     const std::vector<std::shared_ptr<const core::Reflectance>> reflectances{reflectance};
-    const std::vector<std::shared_ptr<const core::steps::SegmentReflections>> reflections{seen};
+    const std::vector<std::shared_ptr<const core::analysis::SegmentReflections>> reflections{seen};
     const core::Image<std::uint8_t> distant(ball.photo.color.width(), ball.photo.color.height(), 0);
-    return core::steps::recoverEnvironment(scene, ball.front, distant, reflectances, reflections, {});
+    return core::analysis::recoverEnvironment(scene, ball.front, distant, reflectances, reflections, {});
 }
 
 TEST(LightFromShading, TakesThePlaceOfSegmentsThatShowMoreThanTheyMirror) {

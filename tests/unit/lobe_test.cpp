@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lobe widths of glossy segments: estimated, and taken out of the light they show. The truth is brute force: half
 // vectors drawn at random from the GGX distribution.
-#include "core/steps/lobe.h"
+#include "core/analysis/light/lobe.h"
 
 #include <gtest/gtest.h>
 
@@ -10,14 +10,14 @@
 #include <numbers>
 #include <random>
 
-#include "core/steps/deconvolve.h"
+#include "core/analysis/light/deconvolve.h"
 
 namespace {
 
 using core::DirectionalMap;
 using core::Vector3f;
-using core::steps::LobeObservations;
-using core::steps::LobeProbe;
+using core::analysis::LobeObservations;
+using core::analysis::LobeProbe;
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
@@ -44,16 +44,16 @@ Vector3f throughLobe(const Light& light, const Vector3f& view, const Vector3f& n
 TEST(Lobe, RingsAddUpToTheDistribution) {
     for (const float alpha : {0.01f, 0.05f, 0.3f}) {
         float sum = 0;
-        for (int i = 0; i <= core::steps::kLobeRings; ++i) {
-            EXPECT_GE(core::steps::ringWeight(i, alpha), 0);
-            sum += core::steps::ringWeight(i, alpha);
+        for (int i = 0; i <= core::analysis::kLobeRings; ++i) {
+            EXPECT_GE(core::analysis::ringWeight(i, alpha), 0);
+            sum += core::analysis::ringWeight(i, alpha);
         }
         EXPECT_NEAR(sum, 1, 1e-5f);
     }
 }
 
 TEST(Lobe, OffsetsFollowTheDistribution) {
-    const auto offsets = core::steps::lobeOffsets(0.1f, 1000);
+    const auto offsets = core::analysis::lobeOffsets(0.1f, 1000);
     int inside = 0;
     for (const auto& o : offsets) inside += o.norm() < 0.1f;  // half of a GGX lobe lies within tan θ = α
     EXPECT_NEAR(inside, 500, 2);
@@ -78,13 +78,13 @@ std::vector<LobeProbe> probesOf(float alpha, const Vector3f& rho, int count, flo
         if (uniform(random) < outliers) probe.color *= 8;
         const Vector3f tangent = n.unitOrthogonal();
         const Vector3f bitangent = n.cross(tangent);
-        for (int ring = 0; ring <= core::steps::kLobeRings; ++ring) {
+        for (int ring = 0; ring <= core::analysis::kLobeRings; ++ring) {
             const auto k = static_cast<std::size_t>(ring);
-            const int rays = ring == 0 ? 1 : core::steps::kRaysPerRing;
+            const int rays = ring == 0 ? 1 : core::analysis::kRaysPerRing;
             for (int j = 0; j < rays; ++j) {
                 const float phi = 2 * kPi * (static_cast<float>(j) + uniform(random)) / static_cast<float>(rays);
                 const Vector3f h =
-                    (n + core::steps::ringTangent(ring) * (std::cos(phi) * tangent + std::sin(phi) * bitangent))
+                    (n + core::analysis::ringTangent(ring) * (std::cos(phi) * tangent + std::sin(phi) * bitangent))
                         .normalized();
                 const Vector3f d = view - 2 * view.dot(h) * h;
                 if (d.dot(n) > 0) probe.incident[k] += stripes(d) / static_cast<float>(rays);
@@ -99,7 +99,7 @@ std::vector<LobeProbe> probesOf(float alpha, const Vector3f& rho, int count, flo
 TEST(Lobe, WidthAndReflectanceAreRecovered) {
     for (const float alpha : {0.02f, 0.05f, 0.12f}) {
         const Vector3f rho(0.8f, 0.5f, 0.3f);
-        const auto fit = core::steps::fitLobe(probesOf(alpha, rho, 300, 0));
+        const auto fit = core::analysis::fitLobe(probesOf(alpha, rho, 300, 0));
         ASSERT_TRUE(fit);
         EXPECT_TRUE(fit->reliable);
         EXPECT_NEAR(fit->alpha / alpha, 1, 0.2f) << alpha;
@@ -109,7 +109,7 @@ TEST(Lobe, WidthAndReflectanceAreRecovered) {
 
 TEST(Lobe, OutliersDoNotPull) {
     const Vector3f rho(0.8f, 0.5f, 0.3f);
-    const auto fit = core::steps::fitLobe(probesOf(0.05f, rho, 300, 0.08f));
+    const auto fit = core::analysis::fitLobe(probesOf(0.05f, rho, 300, 0.08f));
     ASSERT_TRUE(fit);
     EXPECT_NEAR(fit->alpha / 0.05f, 1, 0.25f);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(fit->rho[c] / rho[c], 1, 0.08f);
@@ -122,11 +122,11 @@ TEST(Lobe, UniformSurroundingsTellNothing) {
         probe.incident.fill(Vector3f(1, 1, 1));
         probe.known.fill(1);
     }
-    const auto fit = core::steps::fitLobe(probes);
+    const auto fit = core::analysis::fitLobe(probes);
     ASSERT_TRUE(fit);
     EXPECT_FALSE(fit->reliable);
     EXPECT_NEAR(fit->rho.x(), 0.5f, 1e-4f);
-    EXPECT_FALSE(core::steps::fitLobe(std::span(probes).first(20)));
+    EXPECT_FALSE(core::analysis::fitLobe(std::span(probes).first(20)));
 }
 
 struct Deconvolution : testing::Test {
@@ -241,7 +241,7 @@ TEST_F(Deconvolution, SharpensWhatTheLobeBlurred) {
     const LobeObservations seen = observe(0, 1e9f);
     DirectionalMap light = seen.map;
     light.clipped = {};
-    core::steps::deconvolve(light, std::span(&seen, 1), "test", {}, 0, 1);
+    core::analysis::deconvolve(light, std::span(&seen, 1), "test", {}, 0, 1);
     EXPECT_LT(error(light, truth), 0.75 * error(seen.map, truth));
     for (const Vector3f& c : light.radiance.pixels()) EXPECT_GT(c.minCoeff(), 0);
 }
@@ -253,7 +253,7 @@ TEST_F(Deconvolution, ClippedLampGetsEnergyThatItsSurroundingsShow) {
     DirectionalMap light = seen.map;
     const double clipped = lampEnergy(light);
     ASSERT_LT(clipped, 0.5 * expected);
-    core::steps::deconvolve(light, std::span(&seen, 1), "test", {}, 0, 1);
+    core::analysis::deconvolve(light, std::span(&seen, 1), "test", {}, 0, 1);
     // About half of what is missing: the tails also lie in what the surroundings seem to be.
     EXPECT_GT(lampEnergy(light), clipped + 0.4 * (expected - clipped));
     EXPECT_LT(lampEnergy(light), 1.1 * expected);
@@ -269,7 +269,7 @@ TEST_F(Deconvolution, FulfilledBoundsChangeNothing) {
     for (float& c : blurred.map.coverage.pixels()) c = 0;
     const std::vector<LobeObservations> sources{bound, blurred};
     DirectionalMap light = truth;
-    core::steps::deconvolve(light, sources, "test", {}, 0, 1);
+    core::analysis::deconvolve(light, sources, "test", {}, 0, 1);
     for (std::size_t i = 0; i < light.radiance.size(); ++i)
         ASSERT_TRUE(light.radiance[i].isApprox(truth.radiance[i], 1e-4f));
 }

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <numbers>
 
-#include "core/depth_layers.h"
-#include "core/march.h"
+#include "core/geometry/depth_layers.h"
+#include "core/geometry/march.h"
 #include "tests/support/ray_scene.h"
 
 namespace {

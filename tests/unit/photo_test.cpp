@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/pipeline.h"
 #include "core/io/project.h"
-#include "core/pipeline.h"
 #include "tests/support/image_files.h"
 #include "tests/support/ray_scene.h"
 

@@ -13,9 +13,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "core/analysis/pipeline.h"
 #include "core/io/image_io.h"
 #include "core/io/image_reader.h"
-#include "core/pipeline.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "core/brdf.h"
-#include "core/translucency.h"
+#include "core/material/brdf.h"
+#include "core/material/translucency.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/image_files.h"
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/reference_renderer.h"
+#include "core/shading/reference_renderer.h"
+#include "core/material/translucency.h"
+#include "core/shading/image_filter.h"
+#include "core/shading/segment_shading.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reflectance (DESIGN 3.3) and environment (3.4) of ray-traced mirrors whose truth is known.
+// Reflectance (docs/method.md#reflectance) and environment (#environment) of ray-traced mirrors whose truth is known.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/pipeline.h"
-#include "core/steps/environment.h"
+#include "core/analysis/light/environment.h"
+#include "core/analysis/pipeline.h"
 #include "tests/support/ray_scene.h"
 
 namespace {
@@ -287,7 +287,7 @@ TEST(UserEnvironment, TurnsScalesAndCoversEverything) {
     core::ImageRgb image(64, 32);
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 64; ++x) image(x, y) = Vector3f(static_cast<float>(x), static_cast<float>(y), 1);
-    const DirectionalMap map = core::steps::userEnvironment(image, 2 * 3.14159265f / 4, 2, 32, {});
+    const DirectionalMap map = core::analysis::userEnvironment(image, 2 * 3.14159265f / 4, 2, 32, {});
     EXPECT_EQ(map.radiance.width(), 64);
     for (const float c : map.coverage.pixels()) EXPECT_EQ(c, 1);
     // A quarter turn to the right: what was in front is on the right now.
@@ -298,7 +298,7 @@ TEST(UserEnvironment, TurnsScalesAndCoversEverything) {
 
 TEST(UserEnvironment, LargeAndOddSizesKeepTheirMean) {
     core::ImageRgb image(3000, 1100, Vector3f(0.2f, 0.4f, 0.8f));
-    const DirectionalMap map = core::steps::userEnvironment(image, 0.3f, 1, 1024, {});
+    const DirectionalMap map = core::analysis::userEnvironment(image, 0.3f, 1, 1024, {});
     EXPECT_EQ(map.radiance.height(), 1024);
     EXPECT_EQ(map.radiance.width(), 2048);
     EXPECT_TRUE(map.mean().isApprox(Vector3f(0.2f, 0.4f, 0.8f), 1e-4f));

@@ -10,9 +10,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/analysis/pipeline.h"
+#include "core/analysis/step.h"
 #include "core/io/project.h"
-#include "core/pipeline.h"
-#include "core/steps/step.h"
 #include "tests/support/shading_scene.h"
 
 namespace {
@@ -43,17 +43,17 @@ core::Scene bumpyWall() {
 }
 
 core::ImageF depthOf(const core::Scene& scene) {
-    core::steps::Board board;
+    core::analysis::Board board;
     board.scene = &scene;
-    core::steps::filterDepthStep().run(board, {});
+    core::analysis::filterDepthStep().run(board, {});
     return board.depth->depth;
 }
 
 core::ImageV3 normalsOf(const core::Scene& scene) {
-    core::steps::Board board;
+    core::analysis::Board board;
     board.scene = &scene;
-    core::steps::filterDepthStep().run(board, {});
-    core::steps::surfaceStep().run(board, {});
+    core::analysis::filterDepthStep().run(board, {});
+    core::analysis::surfaceStep().run(board, {});
     return board.front->normal;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Normals in the band along outlines where a depth map goes to pieces.
-#include "core/steps/settle_normals.h"
+#include "core/analysis/depth/repair_normals.h"
 
 #include <gtest/gtest.h>
 
@@ -92,7 +92,7 @@ TEST(SettleNormals, ABrokenRimFollowsWhatIsBesideIt) {
     const std::vector<std::size_t> wrong = breakRim(broken, 1, false);
     Shown settled = broken;
     const core::StepContext context;
-    core::steps::settleNormals(settled.surface, settled.labels, settled.camera, 1, {context, "test"});
+    core::analysis::settleNormals(settled.surface, settled.labels, settled.camera, 1, {context, "test"});
     std::vector<float> before, after;
     for (const std::size_t i : wrong) {
         before.push_back(degrees(broken.surface.normal[i], truth.surface.normal[i]));
@@ -114,7 +114,7 @@ TEST(SettleNormals, DepthFollowsTheNormals) {
     Shown broken = truth;
     const std::vector<std::size_t> wrong = breakRim(broken, 2, true);
     const core::StepContext context;
-    core::steps::settleNormals(broken.surface, broken.labels, broken.camera, 1, {context, "test"});
+    core::analysis::settleNormals(broken.surface, broken.labels, broken.camera, 1, {context, "test"});
     std::vector<float> off;
     for (const std::size_t i : wrong) {
         off.push_back(std::abs(broken.surface.depth[i] - 1));
@@ -128,7 +128,7 @@ TEST(SettleNormals, CreasesRimsAndWhatHasNoLabelStay) {
     for (const auto& normal : {sphere, crease}) {
         const Shown truth = shown(normal);
         Shown settled = truth;
-        core::steps::settleNormals(settled.surface, settled.labels, settled.camera, 1, {context, "test"});
+        core::analysis::settleNormals(settled.surface, settled.labels, settled.camera, 1, {context, "test"});
         int changed = 0, count = 0;
         for (std::size_t i = 0; i < truth.labels.size(); ++i) {
             if (truth.labels[i] != 0) ++count;
@@ -138,7 +138,7 @@ TEST(SettleNormals, CreasesRimsAndWhatHasNoLabelStay) {
         settled = truth;
         for (std::size_t i = 0; i < truth.labels.size(); ++i) settled.labels[i] = 0;
         settled.surface.normal(60, 60) = Vector3f(1, 0, 0);
-        core::steps::settleNormals(settled.surface, settled.labels, settled.camera, 1, {context, "test"});
+        core::analysis::settleNormals(settled.surface, settled.labels, settled.camera, 1, {context, "test"});
         EXPECT_EQ(settled.surface.normal(60, 60), Vector3f(1, 0, 0));
     }
 }

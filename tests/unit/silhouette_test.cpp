@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/silhouette.h"
+#include "core/shading/silhouette.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/steps/smooth_directions.h"
+#include "core/analysis/light/smooth_directions.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ TEST(SmoothDirections, AConstantStaysAndGapsStay) {
                 map.coverage(x, y) = static_cast<float>(1 + x % 4);
             }
     DirectionalMap smooth = map;
-    core::steps::smoothDirections(smooth, 5 * kTexel);
+    core::analysis::smoothDirections(smooth, 5 * kTexel);
     for (std::size_t i = 0; i < map.radiance.size(); ++i)
         EXPECT_LT((smooth.radiance[i] - map.radiance[i]).norm(), 1e-4f);
     EXPECT_EQ(smooth.coverage, map.coverage);
@@ -43,7 +43,7 @@ TEST(SmoothDirections, SpreadsByTheGivenAngle) {
         for (float& c : map.coverage.pixels()) c = 1;
         map.radiance(0, row) = {1, 1, 1};  // at the seam
         const Vector3f center = DirectionalMap::directionFromTexel({0.5f, static_cast<float>(row) + 0.5f}, 128, 64);
-        core::steps::smoothDirections(map, 4 * kTexel);
+        core::analysis::smoothDirections(map, 4 * kTexel);
         double sum = 0;
         double squared = 0;
         for (int y = 0; y < kHeight; ++y) {
@@ -71,7 +71,7 @@ TEST(SmoothDirections, AMirrorAgreesWithItself) {
             one.radiance(x, y) = Vector3f::Constant(truth(x, y));
             one.coverage(x, y) = 1;
         }
-    EXPECT_EQ(core::steps::agreementWidth(one, one), 0);
+    EXPECT_EQ(core::analysis::agreementWidth(one, one), 0);
 }
 
 TEST(SmoothDirections, ContradictionsAreSmoothedUntilTheyAgree) {
@@ -88,7 +88,7 @@ TEST(SmoothDirections, ContradictionsAreSmoothedUntilTheyAgree) {
             both.radiance(x, y) = 0.5f * (one.radiance(x, y) + other.radiance(x, y));
             one.coverage(x, y) = other.coverage(x, y) = both.coverage(x, y) = 1;
         }
-    const float width = core::steps::agreementWidth(one, other);
+    const float width = core::analysis::agreementWidth(one, other);
     ASSERT_GE(width, 2 * kTexel);
     const float mean = std::exp(0.32f);  // of the noise
     const auto error = [&](const DirectionalMap& map) {
@@ -99,7 +99,7 @@ TEST(SmoothDirections, ContradictionsAreSmoothedUntilTheyAgree) {
         return sum;
     };
     DirectionalMap smooth = both;
-    core::steps::smoothDirections(smooth, width);
+    core::analysis::smoothDirections(smooth, width);
     EXPECT_LT(error(smooth), 0.33 * error(both));
 }
 
@@ -111,7 +111,7 @@ TEST(SmoothDirections, TooLittleInCommonSaysNothing) {
         one.radiance(x, 32) = {1, 1, 1};
     }
     for (int x = 0; x < 5; ++x) other.coverage(x, 32) = 1;  // 0.012 sr
-    EXPECT_EQ(core::steps::agreementWidth(one, other), 0);
+    EXPECT_EQ(core::analysis::agreementWidth(one, other), 0);
 }
 
 }  // namespace

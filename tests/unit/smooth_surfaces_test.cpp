@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Smoothing of segments' surfaces against analytic shapes.
-#include "core/steps/smooth_surfaces.h"
+#include "core/analysis/depth/smooth_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -11,14 +11,14 @@
 #include <random>
 #include <vector>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace {
 
 using core::ImageF;
 using core::StepContext;
 using core::StepPart;
-using core::steps::SurfaceSmoothing;
+using core::analysis::SurfaceSmoothing;
 
 constexpr int kSide = 160;
 constexpr float kFocalLength = 500;
@@ -32,8 +32,8 @@ struct Picture {
 
     void smooth(SurfaceSmoothing smoothing, const StepContext& context = StepContext()) {
         smoothing.label = 1;
-        core::steps::smoothSurfaces(depth, measured, labels, camera, std::vector{smoothing},
-                                    StepPart{context, "Smooth"});
+        core::analysis::smoothSurfaces(depth, measured, labels, camera, std::vector{smoothing},
+                                       StepPart{context, "Smooth"});
     }
     /// Angle between true and found slopes of `pixels `margin` from the border [degrees]: median or another quantile.
     [[nodiscard]] double tiltError(int margin, double quantile = 0.5) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/translucency.h"
+#include "core/material/translucency.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "core/diffusion_profile.h"
+#include "core/material/diffusion_profile.h"
+#include "core/shading/surface_samples.h"
 #include "shaders/brdf/fresnel.h"
 #include "shaders/shared/rng.h"
 #include "tests/support/statistics.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/io/upsample_depth.h"
+#include "core/analysis/depth/upsample_depth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/user_brdf.h"
+#include "core/material/user_brdf.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/brdf_file.h"
-#include "core/drives.h"
 #include "core/io/project.h"
-#include "core/reference_renderer.h"
+#include "core/material/brdf_file.h"
+#include "core/shading/reference_renderer.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/user_brdf_text.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The plate's solver against a dense solution in double precision, and what it must leave alone.
-#include "core/steps/weak_plate.h"
+#include "core/analysis/depth/weak_plate.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -14,7 +14,7 @@ namespace {
 
 using core::StepContext;
 using core::StepPart;
-using core::steps::WeakPlate;
+using core::analysis::WeakPlate;
 
 constexpr int kWidth = 17;
 constexpr int kHeight = 13;

@@ -14,9 +14,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/brdf.h"
 #include "core/io/mask_io.h"
-#include "core/reference_renderer.h"
+#include "core/material/brdf.h"
+#include "core/material/drive_parameters.h"
+#include "core/shading/segment_shading.h"
 #include "ui/background_task.h"
 #include "ui/widgets/color_button.h"
 #include "ui/widgets/param_slider.h"
@@ -37,7 +38,7 @@ QString labelOf(const core::DriveParameter& parameter) {
     return QCoreApplication::translate(context, parameter.label.c_str());
 }
 
-// Known to the translators; core/drives.cpp has the texts.
+// Known to the translators; core/shading/drives.cpp has the texts.
 [[maybe_unused]] constexpr const char* kLabels[] = {QT_TRANSLATE_NOOP("drives", "Diffuse colour"),
                                                     QT_TRANSLATE_NOOP("drives", "Specular colour"),
                                                     QT_TRANSLATE_NOOP("drives", "Index n"),

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/drives.h"
+#include "core/material/drive_parameters.h"
 #include "ui/workspace.h"
 
 class QCheckBox;

@@ -17,10 +17,10 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "core/brdf_file.h"
-#include "core/drives.h"
-#include "core/metals.h"
-#include "core/translucency.h"
+#include "core/material/brdf_file.h"
+#include "core/material/drive_parameters.h"
+#include "core/material/metals.h"
+#include "core/material/translucency.h"
 #include "ui/background_task.h"
 #include "ui/panels/drive_list.h"
 #include "ui/widgets/color_button.h"

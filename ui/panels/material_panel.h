@@ -28,8 +28,8 @@ class ColorButton;
 class ParamSlider;
 class VectorEdit;
 
-/// The material the selected segment is edited to. The BRDF's own controls come from its table (core/brdf.h), so that
-/// a new BRDF needs nothing here.
+/// The material the selected segment is edited to. The BRDF's own controls come from its table (core/material/brdf.h),
+/// so that a new BRDF needs nothing here.
 class MaterialPanel : public Panel {
     Q_OBJECT
   public:

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <ranges>
 
-#include "ui/display.h"
+#include "ui/canvas/display.h"
 
 namespace ui {
 

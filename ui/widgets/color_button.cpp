@@ -4,7 +4,7 @@
 #include <QColorDialog>
 #include <QPainter>
 
-#include "ui/display.h"
+#include "ui/canvas/display.h"
 
 namespace ui {
 

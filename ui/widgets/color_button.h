@@ -3,7 +3,7 @@
 
 #include <QToolButton>
 
-#include "core/image.h"
+#include "core/base/image.h"
 
 namespace ui {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ui/display.h"
+#include "ui/canvas/display.h"
 
 namespace ui {
 

@@ -4,7 +4,7 @@
 #include <QImage>
 #include <QWidget>
 
-#include "core/directional_map.h"
+#include "core/base/directional_map.h"
 
 namespace ui {
 

@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "ui/display.h"
+#include "ui/canvas/display.h"
 
 namespace ui {
 

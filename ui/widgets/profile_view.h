@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/analysis.h"
-#include "core/image.h"
+#include "core/analysis/analysis.h"
+#include "core/base/image.h"
 
 namespace ui {
 

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <array>
 
-#include "core/image.h"
+#include "core/base/image.h"
 
 class QDoubleSpinBox;
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/image.h"
+#include "core/base/image.h"
 #include "core/io/image_io.h"
 #include "core/io/import/import_format.h"
 

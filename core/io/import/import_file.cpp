@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fstream>
 
-#include "core/io/atomic_file.h"
+#include "core/base/files.h"
 #include "core/io/import/import_format.h"
 
 namespace core {

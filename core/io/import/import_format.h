@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/camera.h"
-#include "core/image.h"
-#include "core/scene.h"
+#include "core/base/camera.h"
+#include "core/base/image.h"
+#include "core/scene/scene.h"
 
 namespace core {
 

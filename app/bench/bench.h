@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/analysis/analysis.h"
+#include "core/base/progress.h"
+#include "core/scene/scene.h"
+#include "gpu/device.h"
+
+namespace render {
+
+/// One measured number, for example {"march", "rays_per_second.pyramid", 5.1e6, "1/s"}.
+struct BenchResult {
+    std::string name;
+    std::string metric;
+    double value = 0;
+    std::string unit;
+};
+
+/// The benchmarks there are, in the order they run: march, reshade, quality, translucency, analyse.
+[[nodiscard]] const std::vector<std::string>& benchmarkNames();
+
+/// Runs the named benchmarks (all of them when `names` is empty) on the device and returns their metrics
+/// (docs/command-line.md). Metrics of algorithms this build does not have are absent. `analyse` measures both twins:
+/// seconds.* is what the context's kernels take, cpu_seconds.* and gpu_seconds.* the CPU and the device. Throws
+/// core::Error(Usage) for an unknown name, Error(Input) when the scene has nothing to measure (no segment, no valid
+/// depth), Error(Cancelled) when stopped.
+[[nodiscard]] std::vector<BenchResult> runBenchmarks(const std::vector<std::string>& names, gpu::Device device,
+                                                     const core::Scene& scene,
+                                                     const std::shared_ptr<const core::Analysis>& analysis,
+                                                     const core::StepContext& context = core::StepContext());
+
+}  // namespace render

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/analysis/back/spanned_mirror.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/analysis/depth/membrane.h"
+
+namespace core::analysis {
+namespace {
+
+/// Steepest angle [cosine to the view] at which the front still counts as turning away at the outline: it goes on like
+/// a circle there, z ∝ √distance, between the last pixel centre and the outline. Flat faces end where they end.
+constexpr float kTurningAway = 0.5f;
+/// √0.5 / (√2.5 − √0.5): carries the difference of two pixels, 0.5 and 2.5 pixels inside, to the outline.
+constexpr float kToOutline = 0.81f;
+constexpr float kLargestStep = 20;     ///< [pixel widths] between those two: more is a discontinuity
+constexpr float kFarthestBack = 0.2f;  ///< back no farther than this part of the front's inverse depth
+/// How far above its support an object still rounds off to where it stands, in its thickness: by two fifths of its own
+/// radius.
+constexpr float kRoundedOff = 0.2f;
+constexpr double kBoundWeight = 0.03;  ///< of a bound in the plane, beside one of what is fixed
+
+using Cell = MembraneCell;
+using Kind = MembraneCell::Kind;
+
+/// Whether the surface turns away from the camera at a pixel.
+bool turnsAway(const SegmentPixels& segment, Pixel pixel) {
+    const Vector3f view = segment.camera.pixelRay(pixel.x, pixel.y).normalized();
+    return -segment.front.normal(pixel.x, pixel.y).dot(view) <= kTurningAway;
+}
+
+/// Inverse depth of the outline beside an outline pixel.
+float outlineInverseDepth(const SegmentPixels& segment, Pixel pixel, Pixel step) {
+    const auto& [x, y] = pixel;
+    const float z = segment.front.depth(x, y);
+    const int ix = x - 2 * step.x;
+    const int iy = y - 2 * step.y;
+    if (!turnsAway(segment, pixel) || !segment.contains(ix, iy)) return 1 / z;
+    const float fall = z - segment.front.depth(ix, iy);
+    if (fall <= 0 || fall > kLargestStep * segment.footprint(z)) return 1 / z;
+    return 1 / (z + kToOutline * fall);
+}
+
+/// Plane w = a + b·u + c·v through the fixed cells, with two rounds of less weight for those far off; bounds decide
+/// what those leave open, as when all lie on a line.
+Eigen::Vector3d fitPlane(const Image<Cell>& cells) {
+    Eigen::Vector3d plane = Eigen::Vector3d::Zero();
+    double scale = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < 3; ++round) {
+        Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+        Eigen::Vector3d right = Eigen::Vector3d::Zero();
+        for (int y = 0; y < cells.height(); ++y) {
+            for (int x = 0; x < cells.width(); ++x) {
+                const Cell& cell = cells(x, y);
+                const bool fixed = cell.kind == Kind::Fixed;
+                if (!fixed && !std::isfinite(cell.most)) continue;
+                const Eigen::Vector3d row(1, x, y);
+                const auto w = static_cast<double>(fixed ? cell.value : cell.most);
+                const double off = round == 0 ? 0 : (w - plane.dot(row)) / scale;
+                const double weight = (fixed ? 1 : kBoundWeight) / (1 + off * off);
+                normal += weight * row * row.transpose();
+                right += weight * w * row;
+            }
+        }
+        // A little stiffness keeps the slopes finite when all pixels lie on a line.
+        const double stiffness = 1e-6 * normal(0, 0);
+        normal(1, 1) += stiffness;
+        normal(2, 2) += stiffness;
+        plane = normal.ldlt().solve(right);
+        std::vector<double> offsets;
+        for (int y = 0; y < cells.height(); ++y)
+            for (int x = 0; x < cells.width(); ++x)
+                if (cells(x, y).kind == Kind::Fixed)
+                    offsets.push_back(
+                        std::abs(static_cast<double>(cells(x, y).value) - plane.dot(Eigen::Vector3d(1, x, y))));
+        const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
+        std::nth_element(offsets.begin(), middle, offsets.end());
+        scale = std::max(2 * *middle, 1e-9);
+    }
+    return plane;
+}
+
+/// The cells of the segment's box: fixed at the inverse depth of the outline where the object is known to end, bounded
+/// by that of its last pixel where it meets its support facing the camera.
+struct Rim {
+    Image<Cell> cells;
+    std::size_t known = 0, unknown = 0;  ///< outline pixels
+};
+
+Rim findRim(const SegmentPixels& segment) {
+    const PixelBox& box = segment.box;
+    Rim rim{Image<Cell>(box.width(), box.height())};
+    for (const Pixel& pixel : segment.pixels) {
+        Cell& cell = rim.cells(pixel.x - box.x0, pixel.y - box.y0);
+        cell.kind = Kind::Free;
+        float sum = 0;
+        int count = 0;
+        bool hidden = false;
+        const bool away = turnsAway(segment, pixel);
+        for (const Pixel& step : kNeighbors) {
+            const Beyond there = beyond(segment, pixel, step);
+            hidden = hidden || there == Beyond::Unknown;
+            if (there != Beyond::Outline) continue;
+            if (!away && touchesSupport(segment, pixel, step)) {
+                cell.most = 1 / segment.front.depth(pixel.x, pixel.y);
+                continue;
+            }
+            sum += outlineInverseDepth(segment, pixel, step);
+            ++count;
+        }
+        if (hidden) ++rim.unknown;
+        if (hidden || count == 0) continue;
+        cell.value = sum / static_cast<float>(count);
+        cell.kind = Kind::Fixed;
+        ++rim.known;
+    }
+    return rim;
+}
+
+/// The inverse depth of the surface spanned into the fixed cells.
+ImageF spanSurface(Image<Cell> cells, const char* stepName, float progress, const StepContext& context) {
+    const Eigen::Vector3d plane = fitPlane(cells);
+    const auto planeAt = [&](int x, int y) { return static_cast<float>(plane.dot(Eigen::Vector3d(1, x, y))); };
+    for (int y = 0; y < cells.height(); ++y) {
+        for (int x = 0; x < cells.width(); ++x) {
+            Cell& cell = cells(x, y);
+            if (cell.kind == Kind::Fixed) cell.value -= planeAt(x, y);
+            cell.most -= planeAt(x, y);
+        }
+    }
+    solveMembrane(cells, stepName, progress, context);
+    ImageF mirror(cells.width(), cells.height());
+    for (int y = 0; y < cells.height(); ++y)
+        for (int x = 0; x < cells.width(); ++x) mirror(x, y) = cells(x, y).value + planeAt(x, y);
+    return mirror;
+}
+
+/// Inverse depth of the back of a pixel from that of mirror and front.
+float mirroredAt(float mirror, float front) { return std::max(2 * mirror - front, kFarthestBack * front); }
+
+/// Median thickness [m] down to the support.
+float medianThickness(const SegmentPixels& segment, const ImageF& mirror, const SupportPlane& support) {
+    std::vector<float> thickness;
+    thickness.reserve(segment.pixels.size());
+    for (const auto& [x, y] : segment.pixels) {
+        const float z = segment.front.depth(x, y);
+        const float back = 1 / mirroredAt(mirror(x - segment.box.x0, y - segment.box.y0), 1 / z);
+        thickness.push_back(std::min(back, support.depthAlong(segment.camera.pixelRay(x, y))) - z);
+    }
+    const auto middle = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
+    std::nth_element(thickness.begin(), middle, thickness.end());
+    return *middle;
+}
+
+/// Frees the cells less than `height` [m] above the support, bounded by what they were fixed at. Returns how many
+/// remain fixed.
+std::size_t freeNearSupport(const SegmentPixels& segment, const SupportPlane& support, float height,
+                            Image<Cell>& cells) {
+    std::size_t fixed = 0;
+    for (const auto& [x, y] : segment.pixels) {
+        Cell& cell = cells(x - segment.box.x0, y - segment.box.y0);
+        if (cell.kind != Kind::Fixed) continue;
+        if (support.offset - support.normal.dot(segment.front.position(x, y)) < height)
+            cell = {0, Kind::Free, cell.value};
+        else
+            ++fixed;
+    }
+    return fixed;
+}
+
+}  // namespace
+
+SpannedMirror mirrorAtSpannedSurface(const SegmentPixels& segment, const std::optional<SupportPlane>& support,
+                                     float shift, const char* stepName, float progress, const StepContext& context) {
+    const PixelBox& box = segment.box;
+    Rim rim = findRim(segment);
+    SpannedMirror result;
+    if (rim.known == 0) return result;
+    result.outline = static_cast<float>(rim.known) / static_cast<float>(rim.known + rim.unknown);
+
+    ImageF mirrors = spanSurface(rim.cells, stepName, progress, context);
+    if (support) {
+        const float height = kRoundedOff * medianThickness(segment, mirrors, *support);
+        Image<Cell> freed = rim.cells;
+        const std::size_t held = freeNearSupport(segment, *support, height, freed);
+        if (held > 0 && held < rim.known) {
+            rim.cells = std::move(freed);
+            mirrors = spanSurface(rim.cells, stepName, progress, context);
+        }
+    }
+
+    result.samples = BackSamples(box.width(), box.height());
+    std::size_t behind = 0;
+    for (const auto& [px, py] : segment.pixels) {
+        const int x = px - box.x0;
+        const int y = py - box.y0;
+        const float front = 1 / segment.front.depth(px, py);
+        float mirror = mirrors(x, y);
+        if (shift != 0) mirror = 1 / std::max(1 / std::max(mirror, kFarthestBack * front) + shift, 1e-4f);
+        const Cell& cell = rim.cells(x, y);
+        if (cell.kind == Kind::Free && !std::isfinite(cell.most) && mirror > front) ++behind;
+        result.samples(x, y) = {mirroredAt(mirror, front), Vector3f::Zero(), segment.front.color(px, py)};
+    }
+    result.error = static_cast<float>(behind) / static_cast<float>(segment.pixels.size());
+    return result;
+}
+
+}  // namespace core::analysis

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "core/base/image.h"
+#include "core/base/progress.h"
+
+namespace core::analysis {
+
+/// One cell of a membrane: outside it, held at its value, or free to hang between its neighbours, no higher than
+/// `most`.
+struct MembraneCell {
+    enum class Kind : std::uint8_t { Outside, Free, Fixed };
+    float value = 0;
+    Kind kind = Kind::Outside;
+    float most = std::numeric_limits<float>::infinity();
+};
+
+/// Gives the free cells values that satisfy Laplace's equation, or the obstacle problem where `most` holds them down,
+/// without flow through the outside: coarse to fine, each level started from the coarser one, so that the cost is that
+/// of the cells whatever the width of a gap. The values of free cells are the start; parts without a fixed cell keep
+/// about that. Cancellable between levels; reports `progress` of `step`.
+void solveMembrane(Image<MembraneCell>& cells, const char* step, float progress, const StepContext& context);
+
+}  // namespace core::analysis

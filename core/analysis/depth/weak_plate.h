@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/progress.h"
+
+namespace core::analysis {
+
+/// A thin plate on a grid of cells, some of them outside: the values v of least energy
+/// Σ trust (v − data)² + length⁴ Σ stiffness (v_xx² + 2 v_xy² + v_yy²). No second difference reaches outside, so the
+/// plate is free at its rim and a plane of any tilt costs nothing. One of a series of levels, each of half the
+/// resolution of the one before.
+class WeakPlate {
+  public:
+    /// `length`: [cells] what is narrower bends more than it costs not to follow the data.
+    WeakPlate(int width, int height, double length);
+
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] double length() const { return length_; }
+    /// Index of a cell; x from −2 to width + 1, y likewise: a border of cells that are outside.
+    [[nodiscard]] std::size_t at(int x, int y) const {
+        return static_cast<std::size_t>(y + kBorder) * static_cast<std::size_t>(stride_) +
+               static_cast<std::size_t>(x + kBorder);
+    }
+    [[nodiscard]] bool inside(std::size_t cell) const { return inside_[cell] != 0; }
+    [[nodiscard]] std::size_t cellCount() const { return inside_.size(); }
+    [[nodiscard]] std::size_t stride() const { return static_cast<std::size_t>(stride_); }
+
+    /// Makes a cell part of the plate, as stiff as any; `trust` 0: nothing was measured there.
+    void setCell(int x, int y, double data, double trust);
+    [[nodiscard]] double data(std::size_t cell) const { return data_[cell]; }
+    [[nodiscard]] double value(std::size_t cell) const { return value_[cell]; }
+    [[nodiscard]] const std::vector<double>& trust() const { return trust_; }
+    void setTrust(std::size_t cell, double trust) { trust_[cell] = trust; }
+    void setStiffness(std::size_t cell, double stiffness) { stiffness_[cell] = stiffness; }
+
+    [[nodiscard]] WeakPlate coarser() const;
+    /// Means over 2×2 cells of `fine`: data as far as they are trusted, trust and stiffness.
+    void restrictFrom(const WeakPlate& fine);
+    /// Takes the values of `coarse`, bilinear, continued with their slope beyond its cells.
+    void prolongFrom(const WeakPlate& coarse);
+    /// Conjugate gradients from the values as they are towards those of least energy. The same on any number of
+    /// threads. Cancellable; reports `progress` of `part`.
+    void relax(int iterations, const StepPart& part, float progress);
+
+    /// √(v_xx² + 2 v_xy² + v_yy²) about a cell, of values or data.
+    [[nodiscard]] double bendOfValues(std::size_t cell) const { return bend(value_, cell); }
+    [[nodiscard]] double bendOfData(std::size_t cell) const { return bend(data_, cell); }
+
+  private:
+    static constexpr int kBorder = 2;
+
+    [[nodiscard]] double bend(const std::vector<double>& of, std::size_t cell) const;
+    [[nodiscard]] std::vector<double> continuedValues() const;
+    void prepareOperator();
+    [[nodiscard]] double diagonal(std::size_t cell) const;
+    /// image = half of the energy's gradient without its constant part, of the cells `of`.
+    void apply(const std::vector<double>& of, std::vector<double>& image);
+
+    int width_, height_, stride_;
+    double length_;
+    std::vector<std::uint8_t> inside_;
+    std::vector<double> trust_, data_, stiffness_, value_;
+    // While relaxing: length⁴ stiffness of each second difference, 0 where one of its cells is outside, and moments.
+    std::vector<double> stiffX_, stiffY_, stiffXY_, momentX_, momentY_, momentXY_;
+};
+
+}  // namespace core::analysis

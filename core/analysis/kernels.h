@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/analysis/analysis.h"
+#include "core/analysis/depth/filter_depth.h"
+#include "core/analysis/depth/normals.h"
+#include "core/analysis/light/shepard.h"
+#include "core/analysis/light/sphere_membrane.h"
+#include "core/base/progress.h"
+#include "core/geometry/march.h"
+
+namespace core {
+
+/// The dear, data-parallel pieces of the analysis, one virtual function each: a device may take them over. Steps reach
+/// them through their StepContext. The CPU's versions (`cpuAnalysisKernels`) are what the steps' own headers describe;
+/// they know nothing of a device and are the oracle of any other implementation, which has to
+/// - return what the CPU returns but for rounding, and the same bytes every time,
+/// - call the part's `checkpoint` every few hundredths of a second, and let Error(Cancelled) through,
+/// - never fail for the device's sake: without memory or device it goes on on the CPU and leaves a note.
+/// One analysis at a time, on one thread.
+class AnalysisKernels {
+  public:
+    AnalysisKernels() = default;
+    virtual ~AnalysisKernels() = default;
+    AnalysisKernels(const AnalysisKernels&) = delete;
+    AnalysisKernels& operator=(const AnalysisKernels&) = delete;
+
+    /// Passes of the depth filter over one picture.
+    class DepthFilter {
+      public:
+        virtual ~DepthFilter() = default;
+        /// analysis::runFilterPass.
+        [[nodiscard]] virtual ImageF run(const analysis::FilterPass& pass, const ImageF& inverseDepth,
+                                         const StepPart& part) = 0;
+    };
+    /// `color` (analysis::encodeColor) and `labels` have to outlive the result.
+    [[nodiscard]] virtual std::unique_ptr<DepthFilter> depthFilter(const Image<std::uint32_t>& color,
+                                                                   const LabelImage& labels) = 0;
+
+    /// analysis::computeSurface.
+    virtual void computeSurface(const analysis::SurfaceInput& input, Surface& surface, const StepPart& part) = 0;
+
+    /// Rays through one set of depth layers.
+    class RayMarcher {
+      public:
+        virtual ~RayMarcher() = default;
+        /// What MarchPyramid(layers, without).march says, for every ray in order. A ray whose direction is zero is none
+        /// and hits nothing.
+        [[nodiscard]] virtual std::vector<std::optional<MarchHit>> march(std::span<const MarchRay> rays,
+                                                                         std::uint16_t without,
+                                                                         const StepPart& part) = 0;
+    };
+    /// `layers` have to outlive the result; one at a time.
+    [[nodiscard]] virtual std::unique_ptr<RayMarcher> rayMarcher(const DepthLayers& layers) = 0;
+
+    /// analysis::relaxMembrane.
+    virtual void relaxMembrane(const ImageF& coverage, std::span<const analysis::MembraneRow> rows, ImageRgb& values,
+                               const StepPart& part) = 0;
+
+    /// analysis::fillShepard.
+    virtual void fillShepard(const analysis::DirectionTree& tree, DirectionalMap& map, const StepPart& part) = 0;
+
+    /// What went otherwise than asked for since the last call, full sentences.
+    [[nodiscard]] virtual std::vector<std::string> takeNotes() { return {}; }
+};
+
+/// Everything on the CPU, on all cores. Holds nothing: any number of analyses may use it at once.
+[[nodiscard]] AnalysisKernels& cpuAnalysisKernels();
+
+}  // namespace core

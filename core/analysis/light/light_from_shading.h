@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/analysis/analysis.h"
+#include "core/analysis/step.h"
+
+namespace core::analysis {
+
+/// A broad light as far as shading tells it: radiance L(d) = mean·κ/sinh κ·exp(κ a·d), without colour.
+struct ShadingLight {
+    Vector3f axis{0, -1, 0};  ///< unit, towards the light, camera frame
+    float concentration = 0;  ///< κ ≥ 0; 0 = the same from everywhere
+    float mean = 1;           ///< radiance averaged over the sphere
+
+    /// Radiance from the unit direction `d`.
+    [[nodiscard]] float radiance(const Vector3f& d) const;
+};
+
+/// The light when nothing in the photograph mirrors it. Pixels of one segment are taken to differ by their irradiance
+/// E(n)/π = mean·(1 + v·n) and by texture, so v is fitted to log luminance with an unknown albedo per segment (robust;
+/// drawn weakly towards a light from above, which is all that is left when no segment is curved). Brightness: the
+/// surfaces in a photograph reflect 18 % on the average, as cameras meter it, and none more than 80 %. White, because
+/// photographs are white balanced. 1 from everywhere when
+/// there is no light or no depth in it.
+[[nodiscard]] ShadingLight lightFromShading(const Photo& photo, const Surface& front, const StepContext& context,
+                                            const char* stepName, float fraction);
+
+}  // namespace core::analysis

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "core/analysis/analysis.h"
+#include "core/base/progress.h"
+#include "core/scene/scene.h"
+
+namespace core {
+
+/// Runs the analysis steps (listed in pipeline.cpp) and keeps their results by the hash of
+/// each step's inputs and parameters, so that a second run recomputes only what changed. One thread at a time.
+class AnalysisPipeline {
+  public:
+    AnalysisPipeline();
+    ~AnalysisPipeline();
+    AnalysisPipeline(const AnalysisPipeline&) = delete;
+    AnalysisPipeline& operator=(const AnalysisPipeline&) = delete;
+
+    /// Throws Error(Cancelled) when the context asks to stop (the cache stays valid) and Error(Input) when the scene
+    /// cannot be analysed (no valid depth at all).
+    [[nodiscard]] std::shared_ptr<const Analysis> run(const Scene& scene, const StepContext& context = StepContext());
+
+    /// How often each step has run, by its name: tells what a change recomputed.
+    using RunCounts = std::map<std::string, int>;
+    [[nodiscard]] const RunCounts& runCounts() const;
+
+  private:
+    struct Cache;
+    std::unique_ptr<Cache> cache_;
+};
+
+}  // namespace core

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <future>
+#include <memory>
+#include <string_view>
+#include <thread>
+#include <type_traits>
+#include <utility>
+
+#include "core/base/progress.h"
+
+namespace core {
+
+/// Calls `body(i)` for every i in [0, count) on all cores, in no order. Reports progress from `from` to `to` of the
+/// step and throws Error(Cancelled), or what the body threw, once all running bodies have returned. A body is about a
+/// row of pixels: long enough to be worth a checkpoint, short enough for a prompt stop.
+template <class Body>
+void parallelFor(const StepContext& context, std::string_view step, int count, const Body& body, float from = 0,
+                 float to = 1) {
+    std::atomic<int> done{0};
+    const float scale = count > 0 ? (to - from) / static_cast<float>(count) : 0.0f;
+    tbb::parallel_for(tbb::blocked_range<int>(0, count, 4), [&](const tbb::blocked_range<int>& range) {
+        for (int i = range.begin(); i != range.end(); ++i) {
+            context.checkpoint(step, from + scale * static_cast<float>(done.fetch_add(1, std::memory_order_relaxed)));
+            body(i);
+        }
+    });
+}
+
+/// Runs `work`, which owns all that it uses, on a thread of its own. What it returns or throws comes with the future;
+/// unlike that of std::async, dropping the future does not wait.
+template <class Work>
+[[nodiscard]] auto inBackground(Work work) {
+    using Result = std::invoke_result_t<Work&>;
+    const auto task = std::make_shared<std::packaged_task<Result()>>(std::move(work));
+    std::future<Result> result = task->get_future();
+    std::thread([task] { (*task)(); }).detach();
+    return result;
+}
+
+}  // namespace core

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/truncation.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/io/tiff_bytes.h"
+
+namespace core {
+
+namespace {
+
+/// Values of one directory entry.
+struct TiffArray {
+    std::uint64_t begin = 0;
+    std::uint64_t size = 0;  ///< bytes of one value
+    std::uint64_t count = 0;
+};
+
+std::uint64_t valueSize(std::uint64_t type) {
+    switch (type) {
+        case 3:
+            return 2;  // SHORT
+        case 4:
+            return 4;  // LONG
+        case 13:
+            return 4;  // IFD
+        case 16:
+        case 18:
+            return 8;  // LONG8, IFD8
+        default:
+            return 0;
+    }
+}
+
+}  // namespace
+
+bool jpegIsComplete(std::string_view bytes) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+    std::size_t i = 2;
+    while (i + 1 < bytes.size()) {
+        if (byte(i) != 0xff) {  // entropy-coded data
+            ++i;
+            continue;
+        }
+        const unsigned marker = byte(i + 1);
+        if (marker == 0xd9) return true;
+        if (marker == 0xff) {  // fill byte
+            ++i;
+            continue;
+        }
+        const bool standalone = marker == 0x00 || marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8);
+        if (standalone) {
+            i += 2;
+            continue;
+        }
+        if (i + 3 >= bytes.size()) return false;
+        i += 2 + (std::size_t{byte(i + 2)} << 8U) + byte(i + 3);
+    }
+    return false;
+}
+
+bool tiffIsComplete(std::string_view bytes) {
+    const TiffBytes file(bytes);
+    const bool big = file.integer(2, 2) == 43U;
+    const std::uint64_t word = big ? 8 : 4;  // bytes of an offset
+    const auto directory = file.integer(big ? 8 : 4, word);
+    if (!directory) return false;
+    const auto entries = file.integer(*directory, big ? 8 : 2);
+    if (!entries || *entries > 65535) return false;
+    TiffArray offsets;
+    TiffArray sizes;
+    for (std::uint64_t i = 0; i < *entries; ++i) {
+        const std::uint64_t at = *directory + (big ? 8 + 20 * i : 2 + 12 * i);
+        const auto tag = file.integer(at, 2);
+        const auto type = file.integer(at + 2, 2);
+        const auto count = file.integer(at + 4, word);
+        const auto pointer = file.integer(at + 4 + word, word);
+        if (!tag || !type || !count || !pointer) return false;
+        const bool isOffsets = *tag == 273 || *tag == 324;  // StripOffsets, TileOffsets
+        const bool isSizes = *tag == 279 || *tag == 325;    // StripByteCounts, TileByteCounts
+        if (!isOffsets && !isSizes) continue;
+        const std::uint64_t size = valueSize(*type);
+        if (size == 0 || *count > bytes.size()) return false;
+        (isOffsets ? offsets : sizes) = {*count * size <= word ? at + 4 + word : *pointer, size, *count};
+    }
+    if (offsets.count == 0) return false;
+    for (std::uint64_t i = 0; i < std::min(offsets.count, sizes.count); ++i) {
+        const auto begin = file.integer(offsets.begin + i * offsets.size, offsets.size);
+        const auto length = file.integer(sizes.begin + i * sizes.size, sizes.size);
+        if (!begin || !length || *begin > bytes.size() || *length > bytes.size() - *begin) return false;
+    }
+    return true;
+}
+
+}  // namespace core

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/material/user_brdf_params.h"
+
+#include <charconv>
+#include <cmath>
+#include <set>
+
+namespace core {
+
+namespace {
+
+constexpr std::size_t kMaxLabel = 60;  // bytes
+constexpr const char* kForm = "uniform float name = 0.5;  // 0 to 1, \"Label\"";
+
+/// Keys that every edit has.
+const std::set<std::string, std::less<>> kTaken{"brdf",   "blend",    "eta",          "k",     "fresnel", "metal",
+                                                "albedo", "specular", "translucency", "drives"};
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// Takes the next word off `text`.
+std::string_view word(std::string_view& text) {
+    text = trimmed(text);
+    const std::string_view result = text.substr(0, text.find_first_of(" \t"));
+    text.remove_prefix(result.size());
+    return result;
+}
+
+class ParamReader {
+  public:
+    ParamReader(const GlslText& text, std::size_t begin, UserBrdf& brdf)
+        : text_(text), begin_(begin), line_(text.tokens[begin].line), brdf_(brdf) {}
+
+    std::size_t read() {
+        end_ = begin_;
+        while (end_ < text_.tokens.size() && !token(end_ - begin_).is(";")) ++end_;
+        if (end_ == text_.tokens.size() || text_.tokens[end_].line != line_)
+            refuse(std::string("A parameter is declared in one line: ") + kForm);
+        if (end_ - begin_ == 3 && token(1).is("vec3") && (token(2).is("albedo") || token(2).is("specular"))) {
+            (token(2).is("albedo") ? brdf_.usesAlbedo : brdf_.usesSpecular) = true;
+            return end_ + 1;
+        }
+        const std::size_t sign = end_ - begin_ == 6 && token(4).is("-") ? 1 : 0;
+        if (end_ - begin_ != 5 + sign || !token(1).is("float") || !token(2).isName() || !token(3).is("="))
+            refuse(std::string("A parameter is declared as ") + kForm +
+                   " and a colour as uniform vec3 albedo; or uniform vec3 specular;");
+        addParam(token(2).text, (sign != 0 ? "-" : "") + token(4 + sign).text);
+        return end_ + 1;
+    }
+
+  private:
+    [[noreturn]] void refuse(const std::string& reason) const { refuseGlsl(brdf_.path, line_, reason); }
+    [[nodiscard]] const GlslToken& token(std::size_t n) const { return text_.tokens[begin_ + n]; }
+
+    [[nodiscard]] float number(std::string_view text) const {
+        const std::string whole(text);
+        if (!text.empty() && (text.back() == 'f' || text.back() == 'F')) text.remove_suffix(1);
+        float value = 0;
+        const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (code != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+            refuse("\"" + whole + "\" is no number.");
+        return value;
+    }
+
+    const char* keep(std::string_view text) { return brdf_.texts.emplace_back(text).c_str(); }
+
+    void addParam(const std::string& name, const std::string& initial) {
+        if (brdf_.params.size() == kBrdfValueCount)
+            refuse("A BRDF has at most " + std::to_string(kBrdfValueCount) + " parameters.");
+        if (kTaken.contains(name))
+            refuse("A parameter cannot be called \"" + name + "\": edits have that key already.");
+        for (const ParamInfo& other : brdf_.params)
+            if (name == other.key) refuse("The parameter \"" + name + "\" is declared twice.");
+        ParamInfo param{.key = keep(name),
+                        .label = nullptr,
+                        .unit = "",
+                        .min = 0,
+                        .max = 0,
+                        .initial = number(initial),
+                        .logScale = false};
+        readComment(name, param);
+        if (!(param.min < param.max) || param.initial < param.min || param.initial > param.max)
+            refuse("The range of \"" + name + "\" has to rise and to contain its initial value.");
+        if (param.logScale && param.min <= 0) refuse("The range of \"" + name + "\" is log and has to be above 0.");
+        brdf_.params.push_back(param);
+    }
+
+    /// LEAST to GREATEST [UNIT] [, log] [, "LABEL"]
+    void readComment(const std::string& name, ParamInfo& param) {
+        const auto comment = text_.lineComments.find(line_);
+        std::string_view text = comment == text_.lineComments.end() ? std::string_view() : comment->second;
+        std::string_view label = name;
+        if (const std::size_t quote = text.find('"'); quote != std::string_view::npos) {
+            const std::size_t end = text.find('"', quote + 1);
+            if (end == std::string_view::npos) refuse("The label of \"" + name + "\" lacks its closing quote.");
+            label = trimmed(text.substr(quote + 1, end - quote - 1));
+            if (label.empty() || label.size() > kMaxLabel || !trimmed(text.substr(end + 1)).empty())
+                refuse("The label of \"" + name + "\" stands last and has 1 to " + std::to_string(kMaxLabel) +
+                       " characters.");
+            text = text.substr(0, quote);
+        }
+        const std::size_t comma = text.find(',');
+        std::string_view range = text.substr(0, comma);
+        const std::string_view least = word(range);
+        const std::string_view to = word(range);
+        const std::string_view greatest = word(range);
+        if (to != "to") refuse("The range of \"" + name + "\" is missing: " + kForm);
+        param.min = number(least);
+        param.max = number(greatest);
+        range = trimmed(range);
+        if (range.size() > 12) refuse("The unit of \"" + name + "\" has more than 12 characters.");
+        param.unit = keep(range);
+        param.label = keep(label);
+        if (comma == std::string_view::npos) return;
+        std::string_view rest = trimmed(text.substr(comma + 1));
+        if (rest.ends_with(',')) rest = trimmed(rest.substr(0, rest.size() - 1));
+        param.logScale = rest == "log";
+        if (!rest.empty() && !param.logScale)
+            refuse("\"" + std::string(rest) + "\" is not understood after the range of \"" + name +
+                   "\", expected log or a label in quotes.");
+    }
+
+    const GlslText& text_;
+    std::size_t begin_;
+    std::size_t end_ = 0;
+    int line_;
+    UserBrdf& brdf_;
+};
+
+}  // namespace
+
+std::size_t readUserParam(const GlslText& text, std::size_t i, UserBrdf& brdf) {
+    return ParamReader(text, i, brdf).read();
+}
+
+}  // namespace core

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/masks.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/scene/mask.h"
+
+namespace core {
+
+void requireMasksFit(const Scene& scene, ErrorKind kind) {
+    const auto size = [](int w, int h) { return std::to_string(w) + "x" + std::to_string(h); };
+    for (const Segment& segment : scene.segments) {
+        if (!segment.edit) continue;
+        for (const Drive& drive : segment.edit->drives) {
+            if (drive.mask == nullptr) continue;
+            const LabelImage& labels = scene.photo->labels;
+            if (drive.mask->width() == labels.width() && drive.mask->height() == labels.height()) continue;
+            throw Error(kind, "The mask \"" + drive.mask->path() + "\" of \"" + drive.parameter + "\" in segment \"" +
+                                  segment.name + "\" is " + size(drive.mask->width(), drive.mask->height()) +
+                                  ", expected the photograph's size " + size(labels.width(), labels.height()) + ".");
+        }
+    }
+}
+
+std::vector<std::string> maskNotes(const Scene& scene) {
+    std::vector<std::string> notes;
+    for (const Segment& segment : scene.segments) {
+        if (!segment.edit) continue;
+        for (const Drive& drive : segment.edit->drives) {
+            if (drive.mask == nullptr || drive.mask->path().empty()) continue;
+            const LabelImage& labels = scene.photo->labels;
+            float least = 2;
+            float greatest = -1;
+            for (int y = 0; y < labels.height(); ++y)
+                for (int x = 0; x < labels.width(); ++x) {
+                    if (labels(x, y) != segment.label) continue;
+                    least = std::min(least, drive.mask->value(x, y));
+                    greatest = std::max(greatest, drive.mask->value(x, y));
+                }
+            if (least != greatest) continue;
+            notes.push_back("The mask \"" + drive.mask->path() + "\" is " + std::to_string(least).substr(0, 5) +
+                            " everywhere in the segment \"" + segment.name + "\", so \"" + drive.parameter +
+                            "\" does not vary there. Is it the mask of another segment?");
+        }
+    }
+    return notes;
+}
+
+}  // namespace core

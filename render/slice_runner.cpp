@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/slice_runner.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "render/slice_timer.h"
+
+namespace render {
+
+void SliceRunner::run(const core::StepPart& part, const std::string& kind, std::uint64_t total, std::uint64_t least,
+                      std::uint64_t most, const Work& work) {
+    using Clock = std::chrono::steady_clock;
+    constexpr double kGrowth = 8;  // from one slice to the next: the first ones also pay for starting up
+    double last = 0;
+    for (std::uint64_t first = 0; first < total;) {
+        part.checkpoint(static_cast<float>(first) / static_cast<float>(total));
+        const auto known = costs_.find(kind);
+        double wish = known == costs_.end() ? static_cast<double>(least) : kMaxSliceSeconds / known->second;
+        if (last > 0) wish = std::min(wish, kGrowth * last);
+        const auto count =
+            std::min({static_cast<std::uint64_t>(std::max(wish, static_cast<double>(least))), most, total - first});
+        const auto start = Clock::now();
+        work(first, count);
+        costs_[kind] =
+            std::max(std::chrono::duration<double>(Clock::now() - start).count(), 1e-6) / static_cast<double>(count);
+        last = static_cast<double>(count);
+        first += count;
+    }
+}
+
+void SliceRunner::submit(const char* label, const std::function<void(const gpu::CommandEncoder&)>& record) const {
+    const gpu::CommandEncoder encoder = device_.createCommandEncoder({.label = label});
+    record(encoder);
+    device_.queue().submit(encoder.finish());
+    device_.waitIdle();
+}
+
+}  // namespace render

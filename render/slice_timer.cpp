@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/slice_timer.h"
+
+#include <algorithm>
+
+namespace render {
+
+SliceTimer::SliceTimer(const gpu::Device& device) : timer_(device, 256) {}
+
+double SliceTimer::cost(const std::string& kind, double guess) const {
+    const auto known = costs_.find(kind);
+    return known == costs_.end() ? guess : known->second;
+}
+
+std::uint64_t SliceTimer::units(const std::string& kind, double guess, double seconds, std::uint64_t least) const {
+    const double count = std::clamp(seconds, 0.0, kMaxSliceSeconds) / cost(kind, guess);
+    return std::max(least, static_cast<std::uint64_t>(std::min(count, 1e15)));
+}
+
+gpu::PassTimer::Region SliceTimer::measure(const gpu::CommandEncoder& encoder, const std::string& kind,
+                                           std::uint64_t units) {
+    std::string label = kind + " #" + std::to_string(nextSlice_++);
+    inFlight_[label] = {kind, static_cast<double>(std::max<std::uint64_t>(units, 1))};
+    return timer_.measure(encoder, std::move(label));
+}
+
+void SliceTimer::collect() {
+    for (const gpu::PassTimer::Timing& timing : timer_.takeResults()) {
+        const auto slice = inFlight_.find(timing.label);
+        if (slice == inFlight_.end()) continue;
+        const double measured = std::max(timing.seconds, 1e-7) / slice->second.units;
+        // Dearer than thought counts at once, cheaper only half: a slice that is too long is felt, a short one is not.
+        double& cost = costs_.try_emplace(slice->second.kind, measured).first->second;
+        cost = std::max(measured, 0.5 * (cost + measured));
+        inFlight_.erase(slice);
+    }
+    // Regions the timer had no room for never come back.
+    while (inFlight_.size() > 1024) inFlight_.erase(inFlight_.begin());
+}
+
+}  // namespace render

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/analysis/analysis.h"
+#include "core/scene/mask.h"
+#include "core/scene/scene.h"
+#include "render/renderer.h"
+#include "ui/canvas/view_layer.h"
+
+class QLabel;
+class QStackedLayout;
+class QVulkanInstance;
+
+namespace ui {
+
+class CanvasWindow;
+
+/// A picture as the canvas uploads it: half floats, four a pixel.
+struct CanvasPicture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint16_t> rgba;
+    bool displayEncoded = false;
+};
+[[nodiscard]] std::shared_ptr<const CanvasPicture> makeCanvasPicture(const LayerPicture& picture);
+
+/// What is under the pointer.
+struct CursorValue {
+    int x = 0;  ///< picture pixel
+    int y = 0;
+    bool inside = false;
+    bool hasResult = false;  ///< `result` was read back from the device
+    core::Vector3f result{0, 0, 0};
+};
+
+/// The picture: a QVulkanWindow in a widget, or a sentence where there is no Vulkan. It owns the progressive renderer
+/// and gives it a slice of every frame until it is finished; then nothing runs. Everything set here survives the loss
+/// of the device and of the window's surface.
+class Canvas : public QWidget {
+    Q_OBJECT
+  public:
+    /// `instance` may be nullptr: then the canvas shows `problem`. `device`: see gpu::RequestAdapterOptions.
+    Canvas(QVulkanInstance* instance, const QString& problem, const QString& device, QWidget* parent = nullptr);
+    ~Canvas() override;
+
+    /// Whether pictures can be shown.
+    [[nodiscard]] bool available() const { return window_ != nullptr; }
+    /// Name of the device in use, "" before the first frame.
+    [[nodiscard]] QString deviceName() const;
+
+    /// Another photograph; result and picture are forgotten. nullptr = nothing open.
+    void setPhoto(std::shared_ptr<const core::Photo> photo);
+    /// The photograph as picture, for comparison and until there is a result.
+    void setOriginal(std::shared_ptr<const CanvasPicture> picture);
+    /// Picture of a layer other than result and original.
+    void setLayerPicture(std::shared_ptr<const CanvasPicture> picture);
+    void setLayer(ViewLayer layer);
+    /// What the renderer works on from the next frame; the analysis belongs to the scene.
+    void setScene(const core::Scene& scene, std::shared_ptr<const core::Analysis> analysis);
+    /// No more slices until resumed; the picture stays.
+    void setSuspended(bool suspended);
+    /// False: changes are shown by their first picture, which is not refined until this is true again.
+    void setRefining(bool refining);
+    [[nodiscard]] bool refining() const;
+
+    void setSelection(std::uint16_t label);
+    void setOutlineShown(bool shown);
+    /// A mask over the picture in red; nullptr = none.
+    void setMask(std::shared_ptr<const core::Mask> mask);
+    /// Radius [picture pixels] of the brush that the left button paints with; 0 = it selects and moves the picture.
+    void setBrushRadius(float radius);
+    /// A ruler in a corner, for `millimetres` a picture pixel; 0 = none.
+    void setRuler(double millimetres);
+    void setExposure(float stops);
+    void setComparing(bool comparing);
+    void zoomToFit();
+    void setZoom(double zoom);
+    [[nodiscard]] double zoom() const;
+    /// Where a picture pixel's centre is in this widget, logical pixels.
+    [[nodiscard]] QPointF widgetPosition(int x, int y) const;
+
+    [[nodiscard]] render::Renderer::Progress progress() const;
+    /// Whether the renderer has begun with the latest scene; `progress` speaks of that scene then.
+    [[nodiscard]] bool upToDate() const;
+    /// How many scenes were set, and which of them the last frame showed first results of.
+    [[nodiscard]] std::uint64_t sceneNumber() const;
+    [[nodiscard]] std::uint64_t shownScene() const;
+
+    [[nodiscard]] QSize sizeHint() const override { return {960, 640}; }
+
+  signals:
+    void deviceReady(const QString& name);
+    /// After every frame that did work, and once when the renderer finishes.
+    void progressChanged();
+    void framePresented();
+    void cursorMoved(const ui::CursorValue& value);
+    void segmentClicked(quint16 label);
+    void zoomChanged(double zoom);
+    /// A stroke of the brush, in continuous picture coordinates; `inverted`: Shift was held.
+    void strokeBegan(const QPointF& position, bool inverted);
+    void strokeMoved(const QPointF& position);
+    void strokeEnded();
+    /// The device failed; the canvas shows the sentence from now on, or again a picture after the next deviceReady.
+    void failed(const QString& sentence);
+
+  private:
+    void showMessage(const QString& text);
+    /// Shows the window again, which makes it start a device; gives up when that was in vain too often.
+    void restart();
+
+    CanvasWindow* window_ = nullptr;  ///< owned by its container
+    QWidget* container_ = nullptr;
+    QStackedLayout* stack_ = nullptr;
+    QLabel* message_ = nullptr;
+    int restarts_ = 0;  ///< since the user last changed something
+};
+
+}  // namespace ui

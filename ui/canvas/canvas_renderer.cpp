@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/canvas_renderer.h"
+
+#include <kernels/fullscreen.h>
+#include <kernels/present.h>
+
+#include <QVulkanDeviceFunctions>
+#include <array>
+
+#include "gpu/adapter.h"
+#include "gpu/adopt.h"
+#include "gpu/error.h"
+#include "ui/canvas/display.h"
+
+namespace ui {
+
+namespace {
+
+/// Device time a slice of the renderer's work may take [s].
+constexpr double kSliceBudget = 0.03;
+/// Of the first slice that shows a change [s]: less, because the user waits for it.
+constexpr double kFirstSliceBudget = 0.015;
+
+/// How often to ask for work that other threads prepare [ms].
+constexpr int kWaitingInterval = 8;
+
+}  // namespace
+
+CanvasRenderer::CanvasRenderer(CanvasWindow& window) : window_(window) {
+    poll_.setTimerType(Qt::PreciseTimer);
+    QObject::connect(&poll_, &QTimer::timeout, &poll_, [this] { poll(); });
+    start_.setSingleShot(true);
+    QObject::connect(&start_, &QTimer::timeout, &start_, [this] { step(); });
+}
+
+void CanvasRenderer::initResources() {
+    failed_ = false;
+    try {
+        device_ =
+            gpu::Device::adopt({.label = "canvas",
+                                .instance = window_.vulkanInstance()->vkInstance(),
+                                .physicalDevice = window_.physicalDevice(),
+                                .device = window_.device(),
+                                .queue = window_.graphicsQueue(),
+                                .queueFamilyIndex = window_.graphicsQueueFamilyIndex(),
+                                .debugUtils = window_.vulkanInstance()->extensions().contains("VK_EXT_debug_utils")});
+        painter_ = std::make_unique<CanvasPainter>(device_);
+        makePresentPipeline();
+        probe_ = device_.createBuffer({.label = "canvas probe",
+                                       .size = 4 * sizeof(float),
+                                       .usage = gpu::BufferUsage::MapRead | gpu::BufferUsage::CopyDst});
+        sceneStale_ = true;
+        paintWanted_ = true;
+        deviceName_ = QString::fromStdString(device_.adapterInfo().name);
+        emit window_.deviceReady(deviceName_);
+    } catch (const std::exception& error) {
+        fail(QString::fromUtf8(error.what()));
+    }
+}
+
+void CanvasRenderer::releaseResources() { drop(); }
+
+void CanvasRenderer::logicalDeviceLost() {
+    fail(CanvasWindow::tr("The graphics device was lost and is being started again. Your edits are not affected."));
+    emit window_.deviceLost();
+}
+
+void CanvasRenderer::physicalDeviceLost() {
+    fail(CanvasWindow::tr("The graphics device is gone. Your edits are not affected: save, and start Patina again."));
+}
+
+void CanvasRenderer::drop() {
+    poll_.stop();
+    start_.stop();
+    renderer_.reset();
+    rendererPhoto_.reset();
+    progress_ = {};
+    hasResult_ = false;
+    probeWanted_ = false;
+    probePending_ = false;
+    probe_ = {};
+    painter_.reset();
+    presented_ = {};
+    presentGroup_ = {};
+    presentPipeline_ = {};
+    if (device_) {
+        try {
+            device_.destroy();
+        } catch (const gpu::Error&) {
+            // A lost device cannot be waited for; Qt destroys it next.
+        }
+    }
+    device_ = {};
+    pending_ = false;
+    presenting_ = false;
+}
+
+void CanvasRenderer::fail(const QString& sentence) {
+    failed_ = true;
+    emit window_.failed(sentence);
+}
+
+void CanvasRenderer::retry() {
+    if (!failed_) return;
+    failed_ = false;
+    renderer_.reset();
+    hasResult_ = false;
+    sceneStale_ = true;
+}
+
+void CanvasRenderer::paint() {
+    paintWanted_ = true;
+    schedule();
+}
+
+void CanvasRenderer::sceneChanged() {
+    sceneStale_ = true;
+    schedule();
+}
+
+void CanvasRenderer::schedule() {
+    if (!pending_ && !presenting_) start_.start(0);
+}
+
+void CanvasRenderer::step() {
+    if (pending_ || !window_.isExposed()) return;
+    start_.stop();
+    attempt([this] { submitStep(); });
+}
+
+void CanvasRenderer::submitStep() {
+    const CanvasState& state = window_.state();
+    if (state.photo != rendererPhoto_) {
+        // Another photograph: nothing of the old picture may be shown.
+        renderer_.reset();
+        rendererPhoto_ = state.photo;
+        hasResult_ = false;
+        progress_ = {};
+        sceneStale_ = true;
+    }
+    double budget = kSliceBudget;
+    if (state.scene != nullptr && sceneStale_) {
+        budget = kFirstSliceBudget;
+        if (renderer_ == nullptr) renderer_ = std::make_unique<render::Renderer>(device_);
+        renderer_->setScene(*state.scene, state.analysis);
+        renderedScene_ = state.sceneNumber;
+        sceneStale_ = false;
+    }
+    gpu::CommandEncoder encoder = device_.createCommandEncoder({.label = "canvas step"});
+    if (renderer_ != nullptr) renderer_->setRefining(state.refining);
+    workLeft_ = renderer_ != nullptr && !state.suspended && renderer_->record(encoder, budget);
+    if (renderer_ != nullptr) {
+        hasResult_ = static_cast<bool>(renderer_->result());
+        progress_ = renderer_->progress();
+    }
+    const bool resultShown = hasResult_ && state.layer == ViewLayer::Result && !state.comparing;
+    const render::PixelBounds changed = hasResult_ ? renderer_->changed() : render::PixelBounds();
+    painted_ = paintWanted_ || (resultShown && !changed.empty());
+    if (painted_) {
+        std::optional<QRect> part;
+        if (!paintWanted_) part = QRect(QPoint(changed.x0, changed.y0), QPoint(changed.x1 - 1, changed.y1 - 1));
+        painter_->record(encoder, state, window_.swapChainImageSize(), window_.devicePixelRatio(),
+                         hasResult_ ? renderer_->result() : gpu::Texture(), part);
+        if (hasResult_ && !progress_.waiting) paintedScene_ = renderedScene_;
+        paintWanted_ = false;
+    }
+    recordProbe(encoder);
+    encoder.onCompleted([this] { pending_ = false; });
+    device_.queue().submit(encoder.finish());
+    pending_ = true;
+    readProbe();
+    if (renderer_ != nullptr) emit window_.progressChanged();
+    poll_.start(progress_.waiting ? kWaitingInterval : 1);
+}
+
+void CanvasRenderer::poll() {
+    attempt([this] { device_.tick(); });
+    if ((pending_ || probePending_) && !failed_) return;
+    poll_.stop();
+    if (painted_ && window_.isExposed()) {
+        presenting_ = true;
+        window_.requestUpdate();
+    } else if (workLeft_ || sceneStale_ || paintWanted_ || probeWanted_) {
+        step();
+    }
+}
+
+void CanvasRenderer::startNextFrame() {
+    presenting_ = false;
+    drawn_ = false;
+    attempt([this] { recordFrame(); });
+    if (!drawn_) clear();
+    window_.frameReady();
+    shownScene_ = paintedScene_;
+    emit window_.framePresented();
+    if (workLeft_ || sceneStale_ || paintWanted_ || probeWanted_) step();
+}
+
+void CanvasRenderer::clear() {
+    const QSize size = window_.swapChainImageSize();
+    const std::array<VkClearValue, 2> values{};
+    VkRenderPassBeginInfo begin{};
+    begin.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;
+    begin.renderPass = window_.defaultRenderPass();
+    begin.framebuffer = window_.currentFramebuffer();
+    begin.renderArea.extent = {static_cast<std::uint32_t>(size.width()), static_cast<std::uint32_t>(size.height())};
+    begin.clearValueCount = values.size();
+    begin.pClearValues = values.data();
+    QVulkanDeviceFunctions& vulkan = *window_.vulkanInstance()->deviceFunctions(window_.device());
+    vulkan.vkCmdBeginRenderPass(window_.currentCommandBuffer(), &begin, VK_SUBPASS_CONTENTS_INLINE);
+    vulkan.vkCmdEndRenderPass(window_.currentCommandBuffer());
+}
+
+bool CanvasRenderer::targetEncodes() const {
+    const VkFormat format = window_.colorFormat();
+    return format == VK_FORMAT_B8G8R8A8_SRGB || format == VK_FORMAT_R8G8B8A8_SRGB ||
+           format == VK_FORMAT_A8B8G8R8_SRGB_PACK32;
+}
+
+void CanvasRenderer::makePresentPipeline() {
+    const gpu::ExternalRenderTarget target{
+        .renderPass = window_.defaultRenderPass(), .sampleCount = window_.sampleCountFlagBits(), .hasDepth = true};
+    presentPipeline_ = device_.createRenderPipeline(
+        {.label = "present",
+         .vertex = device_.createShaderModule({.label = "fullscreen.vert", .code = fullscreen_spv}),
+         .fragment = device_.createShaderModule({.label = "present.frag", .code = present_spv}),
+         .targets = {{}},
+         .externalTarget = &target,
+         .fragmentConstants = {{.key = "kTargetEncodes", .value = targetEncodes() ? 1.0 : 0.0}}});
+}
+
+void CanvasRenderer::recordFrame() {
+    const gpu::CommandEncoder encoder =
+        device_.beginAdoptedFrame(window_.currentCommandBuffer(), static_cast<std::uint32_t>(window_.currentFrame()));
+    const gpu::Texture& screen = painter_->screen();
+    if (screen && !(screen == presented_)) {
+        presentGroup_ = device_.createBindGroup({.label = "present",
+                                                 .layout = presentPipeline_.getBindGroupLayout(0),
+                                                 .entries = {{.binding = 0, .textureView = screen.createView()}}});
+        presented_ = screen;
+    }
+    VkClearValue depth{};
+    depth.depthStencil = {1.0f, 0};
+    const QSize size = window_.swapChainImageSize();
+    if (screen) {
+        const gpu::RenderPassEncoder pass = encoder.beginRenderPass(
+            gpu::ExternalRenderPassDescriptor{.label = "present",
+                                              .renderPass = window_.defaultRenderPass(),
+                                              .framebuffer = window_.currentFramebuffer(),
+                                              .width = static_cast<std::uint32_t>(size.width()),
+                                              .height = static_cast<std::uint32_t>(size.height()),
+                                              .clearValues = {VkClearValue{}, depth}});
+        pass.setPipeline(presentPipeline_);
+        pass.setBindGroup(0, presentGroup_);
+        pass.draw(3);
+        pass.end();
+        drawn_ = true;
+    }
+    encoder.finish();
+}
+
+void CanvasRenderer::probeCursor() {
+    if (!hasResult_) return;
+    probeWanted_ = true;
+    schedule();
+}
+
+void CanvasRenderer::recordProbe(const gpu::CommandEncoder& encoder) {
+    const CanvasState& state = window_.state();
+    if (!probeWanted_ || probePending_ || !hasResult_) return;
+    probeWanted_ = false;
+    const gpu::Texture result = renderer_->result();
+    if (!state.cursorInside || state.cursor.x() >= static_cast<int>(result.width()) ||
+        state.cursor.y() >= static_cast<int>(result.height())) {
+        return;
+    }
+    encoder.copyTextureToBuffer(
+        {.texture = result,
+         .origin = {static_cast<std::uint32_t>(state.cursor.x()), static_cast<std::uint32_t>(state.cursor.y()), 0}},
+        {.buffer = probe_, .layout = {}}, {1, 1, 1});
+    probePending_ = true;
+}
+
+void CanvasRenderer::readProbe() {
+    if (!probePending_ || probe_.mapState() != gpu::BufferMapState::Unmapped) return;
+    const QPoint cursor = window_.state().cursor;
+    probe_.mapAsync(gpu::MapMode::Read, 0, gpu::kWholeSize,
+                    [this, cursor](gpu::MapAsyncStatus status, std::string_view) {
+                        probePending_ = false;
+                        if (status == gpu::MapAsyncStatus::Success) finishProbe(cursor.x(), cursor.y());
+                    });
+}
+
+void CanvasRenderer::attempt(const std::function<void()>& work) {
+    if (failed_ || !device_) return;
+    try {
+        work();
+    } catch (const std::exception& error) {
+        fail(QString::fromUtf8(error.what()));
+    }
+}
+
+void CanvasRenderer::finishProbe(int x, int y) {
+    const auto* rgba = static_cast<const float*>(probe_.getConstMappedRange());
+    const core::Vector3f value(rgba[0], rgba[1], rgba[2]);
+    probe_.unmap();
+    const CanvasState& state = window_.state();
+    if (!state.cursorInside || state.cursor != QPoint(x, y)) return;
+    emit window_.cursorMoved({.x = x, .y = y, .inside = true, .hasResult = true, .result = value});
+}
+
+}  // namespace ui

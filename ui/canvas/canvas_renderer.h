@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTimer>
+#include <QVulkanWindowRenderer>
+#include <functional>
+#include <memory>
+
+#include "gpu/device.h"
+#include "render/renderer.h"
+#include "ui/canvas/canvas_painter.h"
+#include "ui/canvas/canvas_window.h"
+
+namespace ui {
+
+/// The device side of the canvas: the window's device as gpu::Device, the progressive renderer and the painter on it.
+/// Everything here can be lost and is made again from CanvasState.
+///
+/// Presenting a frame waits for everything submitted before it, on some drivers in the calling thread. So a frame only
+/// copies a finished picture: a step (a slice of the renderer's work, and the view drawn into a picture) is submitted,
+/// and the frame is asked for when it has completed. In between the window's thread is free.
+class CanvasRenderer : public QVulkanWindowRenderer {
+  public:
+    explicit CanvasRenderer(CanvasWindow& window);
+
+    void initResources() override;
+    void releaseResources() override;
+    void startNextFrame() override;
+    void logicalDeviceLost() override;
+    void physicalDeviceLost() override;
+
+    /// The scene in the state changed: the result follows soon.
+    void sceneChanged();
+    [[nodiscard]] bool upToDate() const { return !sceneStale_ && hasResult_; }
+    [[nodiscard]] std::uint64_t shownScene() const { return shownScene_; }
+    /// Forgets a failure, for example memory that a smaller photograph does not need.
+    void retry();
+    /// Draws the state soon: after the step in work, once for all changes until then.
+    void paint();
+    /// Reads the result under the cursor with the next step; the answer comes as CanvasWindow::cursorMoved.
+    void probeCursor();
+
+    [[nodiscard]] render::Renderer::Progress progress() const { return progress_; }
+    [[nodiscard]] const QString& deviceName() const { return deviceName_; }
+
+  private:
+    void schedule();
+    void step();
+    void submitStep();
+    void poll();
+    void makePresentPipeline();
+    [[nodiscard]] bool targetEncodes() const;
+    void recordFrame();
+    /// A frame that could not be recorded still has to be presentable.
+    void clear();
+    /// Runs `work` unless the canvas has failed; what it throws is a failure.
+    void attempt(const std::function<void()>& work);
+    void recordProbe(const gpu::CommandEncoder& encoder);
+    void readProbe();
+    void finishProbe(int x, int y);
+    void fail(const QString& sentence);
+    void drop();
+
+    CanvasWindow& window_;
+    gpu::Device device_;
+    QString deviceName_;
+    std::unique_ptr<render::Renderer> renderer_;
+    std::shared_ptr<const core::Photo> rendererPhoto_;
+    render::Renderer::Progress progress_;
+    std::unique_ptr<CanvasPainter> painter_;
+    gpu::RenderPipeline presentPipeline_;
+    gpu::Texture presented_;
+    gpu::BindGroup presentGroup_;  ///< with `presented_`
+    QTimer start_;                 ///< to the next step, so that it takes in all input that has arrived
+    QTimer poll_;                  ///< runs while a step is in work
+    bool pending_ = false;         ///< a step is in work on the device
+    bool painted_ = false;         ///< the step draws
+    bool workLeft_ = false;        ///< the renderer is not finished
+    bool paintWanted_ = true;      ///< the state changed since it was drawn
+    bool presenting_ = false;      ///< a frame was asked for
+    bool sceneStale_ = true;
+    std::uint64_t renderedScene_ = 0;  ///< CanvasState::sceneNumber of the renderer's scene
+    std::uint64_t paintedScene_ = 0;   ///< of the drawn picture
+    std::uint64_t shownScene_ = 0;
+    bool hasResult_ = false;
+    bool failed_ = false;
+    bool drawn_ = false;
+    gpu::Buffer probe_;
+    bool probeWanted_ = false;
+    bool probePending_ = false;
+};
+
+}  // namespace ui
