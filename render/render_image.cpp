@@ -14,19 +14,19 @@ core::ImageRgb readResult(const gpu::Device& device, const Renderer& renderer) {
 }
 
 core::ImageRgb renderImage(gpu::Device device, const core::Scene& scene,
-                           const std::shared_ptr<const core::Analysis>& analysis, const core::StepContext& context,
+                           const std::shared_ptr<const core::Analysis>& analysis, const core::Progress& progress,
                            Renderer::Progress* reached) {
     // Long enough to keep the device busy between submissions, short enough to be cancelled at once.
     constexpr double kSubmissionSeconds = 0.12;
     Renderer renderer(device);
     renderer.setScene(scene, analysis);
-    context.checkpoint("Rendering", 0);
+    progress.checkpoint(0);
     while (true) {
         gpu::CommandEncoder encoder = device.createCommandEncoder({.label = "render"});
         const bool worked = renderer.record(encoder, kSubmissionSeconds);
         device.queue().submit(encoder.finish());
         device.waitIdle();
-        context.checkpoint("Rendering", renderer.progress().fraction);
+        progress.checkpoint(renderer.progress().fraction);
         if (!worked) break;
     }
     if (reached != nullptr) *reached = renderer.progress();

@@ -81,7 +81,6 @@ class Renderer {
 /// Renders to the end on `device` and returns the edited photograph; `reached`, if given, gets how far that was.
 [[nodiscard]] core::ImageRgb renderImage(gpu::Device device, const core::Scene& scene,
                                          const std::shared_ptr<const core::Analysis>& analysis,
-                                         const core::StepContext& context = core::StepContext(),
-                                         Renderer::Progress* reached = nullptr);
+                                         const core::Progress& progress = {}, Renderer::Progress* reached = nullptr);
 
 }  // namespace render

@@ -8,13 +8,13 @@
 
 namespace render {
 
-void SliceRunner::run(const core::StepPart& part, const std::string& kind, std::uint64_t total, std::uint64_t least,
+void SliceRunner::run(const core::Progress& progress, const std::string& kind, std::uint64_t total, std::uint64_t least,
                       std::uint64_t most, const Work& work) {
     using Clock = std::chrono::steady_clock;
     constexpr double kGrowth = 8;  // from one slice to the next: the first ones also pay for starting up
     double last = 0;
     for (std::uint64_t first = 0; first < total;) {
-        part.checkpoint(static_cast<float>(first) / static_cast<float>(total));
+        progress.checkpoint(static_cast<float>(first) / static_cast<float>(total));
         const auto known = costs_.find(kind);
         double wish = known == costs_.end() ? static_cast<double>(least) : kMaxSliceSeconds / known->second;
         if (last > 0) wish = std::min(wish, kGrowth * last);

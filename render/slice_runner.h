@@ -22,7 +22,7 @@ class SliceRunner {
     using Work = std::function<void(std::uint64_t first, std::uint64_t count)>;
     /// Calls `work` for consecutive parts of [0, total), each at most `most` units, with a checkpoint before each.
     /// The first one of a kind has `least` units.
-    void run(const core::StepPart& part, const std::string& kind, std::uint64_t total, std::uint64_t least,
+    void run(const core::Progress& progress, const std::string& kind, std::uint64_t total, std::uint64_t least,
              std::uint64_t most, const Work& work);
     /// Submits what `record` writes, and waits.
     void submit(const char* label, const std::function<void(const gpu::CommandEncoder&)>& record) const;

@@ -66,7 +66,8 @@ void AnalysisWorker::analyse(const Request& request) {
         auto result = std::make_shared<AnalysisResult>();
         result->generation = request.generation;
         result->scene = request.scene;
-        result->analysis = pipeline_.run(request.scene, core::StepContext(report, &cancel_, kernels_.get()));
+        result->analysis = pipeline_.run(request.scene, core::Progress(report, &cancel_),
+                                         kernels_ ? *kernels_ : core::cpuAnalysisKernels());
         if (kernels_) result->notes = kernels_->takeNotes();
         emit finished(std::move(result));
     } catch (const core::Error& error) {

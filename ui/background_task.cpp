@@ -5,18 +5,20 @@
 #include <memory>
 #include <utility>
 
+#include "ui/words.h"
+
 namespace ui {
 
-core::StepContext::Progress throttledProgress(std::function<void(const QString&, double)> report) {
+core::Progress::Report throttledProgress(std::function<void(const QString&, double)> report) {
     using Clock = std::chrono::steady_clock;
     constexpr std::int64_t kIntervalMs = 30;
     auto last = std::make_shared<std::atomic<std::int64_t>>(0);
-    return [last, report = std::move(report)](std::string_view step, float fraction) {
+    return [last, report = std::move(report)](core::Task task, float fraction) {
         const std::int64_t now =
             std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now().time_since_epoch()).count();
         std::int64_t before = last->load();
         if (now - before < kIntervalMs || !last->compare_exchange_strong(before, now)) return;
-        report(QString::fromUtf8(step.data(), static_cast<qsizetype>(step.size())), static_cast<double>(fraction));
+        report(taskName(task), static_cast<double>(fraction));
     };
 }
 
@@ -33,7 +35,7 @@ void BackgroundTask::start() {
         enum class End { Succeeded, Failed, Cancelled } end = End::Succeeded;
         QString sentence;
         try {
-            work_(core::StepContext(
+            work_(core::Progress(
                 throttledProgress([this](const QString& step, double fraction) { emit progress(step, fraction); }),
                 &cancel_));
         } catch (const core::Error& error) {

@@ -15,7 +15,7 @@ namespace ui {
 class BackgroundTask : public QObject {
     Q_OBJECT
   public:
-    using Work = std::function<void(const core::StepContext&)>;
+    using Work = std::function<void(const core::Progress&)>;
 
     explicit BackgroundTask(Work work, QObject* parent = nullptr);
     ~BackgroundTask() override;
@@ -39,7 +39,7 @@ class BackgroundTask : public QObject {
     std::thread thread_;
 };
 
-/// Progress function for core::StepContext that lets at most one call in 30 ms through to `report`; any thread.
-[[nodiscard]] core::StepContext::Progress throttledProgress(std::function<void(const QString&, double)> report);
+/// Progress function for core::Progress that lets at most one call in 30 ms through to `report`; any thread.
+[[nodiscard]] core::Progress::Report throttledProgress(std::function<void(const QString&, double)> report);
 
 }  // namespace ui

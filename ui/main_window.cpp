@@ -227,7 +227,7 @@ void MainWindow::refreshLayerPicture() {
     if (layer_ == ViewLayer::Result || layer_ == ViewLayer::Original || !workspace_.hasPhoto()) return;
     auto picture = std::make_shared<std::shared_ptr<const CanvasPicture>>();
     layerTask_ = std::make_unique<BackgroundTask>([picture, layer = layer_, photo = workspace_.scene().photo,
-                                                   analysis = workspace_.analysis()](const core::StepContext&) {
+                                                   analysis = workspace_.analysis()](const core::Progress&) {
         *picture = makeCanvasPicture(makeLayerPicture(layer, *photo, analysis.get()));
     });
     connect(layerTask_.get(), &BackgroundTask::succeeded, this,

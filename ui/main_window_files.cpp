@@ -123,12 +123,12 @@ void MainWindow::openScene(const QString& title, std::function<core::Scene(std::
     auto loaded = std::make_shared<Loaded>();
     runTask(
         title,
-        [loaded, load = std::move(load)](const core::StepContext& context) {
-            context.checkpoint({}, 0);
+        [loaded, load = std::move(load)](const core::Progress& progress) {
+            progress.checkpoint(0);
             loaded->scene = load(&loaded->notes);
-            context.checkpoint({}, 0.7f);
+            progress.checkpoint(0.7f);
             loaded->original = makeCanvasPicture({loaded->scene.photo->color, false});
-            context.checkpoint({}, 1);
+            progress.checkpoint(1);
         },
         [this, loaded, path] {
             workspace_.setDocument(core::Document(std::move(loaded->scene), path.toStdString()));
@@ -178,7 +178,7 @@ void MainWindow::saveTo(const QString& path, std::function<void()> then) {
     const std::uint64_t generation = workspace_.generation();
     runTask(
         tr("Saving %1").arg(QFileInfo(path).fileName()),
-        [scene = workspace_.scene(), path](const core::StepContext&) { core::saveProject(scene, path.toStdString()); },
+        [scene = workspace_.scene(), path](const core::Progress&) { core::saveProject(scene, path.toStdString()); },
         [this, path, generation, then = std::move(then)] {
             // A step made while the file was written is not in the file.
             if (generation == workspace_.generation()) workspace_.document().setSaved(path.toStdString());
@@ -206,20 +206,19 @@ void MainWindow::exportPicture(const QString& path) {
     runTask(
         tr("Exporting %1").arg(QFileInfo(path).fileName()),
         [scene = workspace_.scene(), known, path,
-         wish = options_.device.toStdString()](const core::StepContext& context) {
+         wish = options_.device.toStdString()](const core::Progress& progress) {
             const gpu::Device device =
                 gpu::Instance::create().requestAdapter({.device = wish}).requestDevice({.label = "export"});
             std::shared_ptr<const core::Analysis> analysis = known;
             if (analysis == nullptr) {
                 const auto kernels = render::createAnalysisKernels(render::analysisTwinFromEnvironment(), wish);
-                const core::StepContext onKernels(
-                    [&](std::string_view step, float fraction) { context.checkpoint(step, fraction); }, nullptr,
-                    kernels.get());
-                analysis = core::AnalysisPipeline().run(scene, onKernels);
+                analysis =
+                    core::AnalysisPipeline().run(scene, progress, kernels ? *kernels : core::cpuAnalysisKernels());
             }
             core::Scene whole = scene;
             whole.render.timeLimit = 0;
-            core::saveColor(render::renderImage(device, whole, analysis, context), path.toStdString());
+            core::saveColor(render::renderImage(device, whole, analysis, progress.of(core::Task::Render)),
+                            path.toStdString());
         },
         [this, path] { statusBar()->showMessage(tr("Exported %1").arg(path), 6000); });
 }
@@ -228,7 +227,7 @@ void MainWindow::exportSegmentation(const QString& path) {
     if (!workspace_.hasPhoto()) return;
     runTask(
         tr("Exporting %1").arg(QFileInfo(path).fileName()),
-        [photo = workspace_.scene().photo, path](const core::StepContext&) {
+        [photo = workspace_.scene().photo, path](const core::Progress&) {
             core::saveLabels(photo->labels, path.toStdString());
         },
         [this, path] { statusBar()->showMessage(tr("Exported %1").arg(path), 6000); });
@@ -239,7 +238,7 @@ void MainWindow::exportEnvironment(const QString& path) {
     if (analysis == nullptr || analysis->environment == nullptr) return;
     runTask(
         tr("Exporting %1").arg(QFileInfo(path).fileName()),
-        [map = analysis->environment, path](const core::StepContext&) {
+        [map = analysis->environment, path](const core::Progress&) {
             core::saveDirectionalMap(*map, path.toStdString());
         },
         [this, path] { statusBar()->showMessage(tr("Exported %1").arg(path), 6000); });

@@ -46,7 +46,8 @@ struct Benchmarks {
     gpu::Device device;
     const core::Scene& scene;
     std::shared_ptr<const core::Analysis> analysis;
-    const core::StepContext& context;
+    core::AnalysisKernels& kernels;  ///< asked for by the user
+    core::Progress progress;
     std::vector<BenchResult> results;
 
     void add(const char* name, const std::string& metric, double value, const char* unit) {
@@ -139,7 +140,7 @@ void Benchmarks::march() {
     const auto rate = [&](const std::vector<Ray>& list, MarchMethod method, const ConstantStepParams& steps) {
         double best = std::numeric_limits<double>::max();
         for (int i = 0; i < kTimedMarches; ++i) {
-            context.checkpoint("Benchmark: march", static_cast<float>(i) / kTimedMarches);
+            progress.checkpoint(static_cast<float>(i) / kTimedMarches);
             (void)marcher.march(list, method, steps);
             best = std::min(best, marcher.seconds());
         }
@@ -171,7 +172,7 @@ void Benchmarks::march() {
     add("march", "hit_share.pyramid", static_cast<double>(found) / kSlowRays, "1");
     std::size_t agreed = 0;
     for (std::size_t i = 0; i < fewRays.size(); ++i) {
-        if (i % 1024 == 0) context.checkpoint("Benchmark: oracle", static_cast<float>(i) / kSlowRays);
+        if (i % 1024 == 0) progress.checkpoint(static_cast<float>(i) / kSlowRays);
         const auto expected = core::march(sceneLayers, fewRays[i].origin, fewRays[i].direction);
         agreed += expected ? hits[i].found && hits[i].x == expected->x && hits[i].y == expected->y : !hits[i].found;
     }
@@ -219,7 +220,7 @@ double Benchmarks::renderSeconds(Renderer& renderer, bool firstPictureOnly, doub
         worked = renderer.record(encoder, budgetSeconds);
         device.queue().submit(encoder.finish());
         device.waitIdle();
-        context.checkpoint("Benchmark: render", renderer.progress().fraction);
+        progress.checkpoint(renderer.progress().fraction);
     }
     return secondsSince(start);
 }
@@ -252,7 +253,7 @@ core::ImageRgb Benchmarks::rendered(Renderer& renderer, double seconds) const {
         worked = renderer.record(encoder, kFrameSeconds);
         device.queue().submit(encoder.finish());
         device.waitIdle();
-        context.checkpoint("Benchmark: quality", renderer.progress().fraction);
+        progress.checkpoint(renderer.progress().fraction);
     }
     return readResult(device, renderer);
 }
@@ -308,7 +309,7 @@ std::vector<double> Benchmarks::manyPaths(const core::Scene& reference,
     const core::ReferenceRenderer renderer(reference, lit);
     const int width = scene.photo->labels.width();
     std::vector<double> means(pixels.size());
-    core::parallelFor(context, "Benchmark: truth", static_cast<int>(pixels.size()), [&](int k) {
+    core::parallelFor(progress, static_cast<int>(pixels.size()), [&](int k) {
         const auto i = static_cast<int>(pixels[static_cast<std::size_t>(k)]);
         double sum = 0;
         for (std::uint32_t s = 0; s < paths; ++s)
@@ -373,31 +374,32 @@ void Benchmarks::quality() {
 void Benchmarks::translucency() {
     core::Material material = core::defaultMaterial(*core::findBrdf("none"));
     material.translucency = core::Translucency();
-    const std::vector<BenchResult> found = benchTranslucency(device, withEdit(material), analysis, context);
+    const std::vector<BenchResult> found = benchTranslucency(device, withEdit(material), analysis, progress);
     results.insert(results.end(), found.begin(), found.end());
 }
 
-std::map<std::string, double> Benchmarks::analysisSeconds(core::AnalysisKernels& kernels) const {
-    static const std::map<std::string, std::string, std::less<>> kMetrics = {
-        {"Filter depth", "filter"},   {"Surface", "geometry"},        {"Back side", "backside"},
-        {"Depth layers", "geometry"}, {"Reflectance", "reflectance"}, {"Environment", "environment"}};
+std::map<std::string, double> Benchmarks::analysisSeconds(core::AnalysisKernels& twin) const {
+    static const std::map<core::Task, std::string> kMetrics = {{core::Task::RecoverDepth, "filter"},
+                                                               {core::Task::ComputeNormals, "geometry"},
+                                                               {core::Task::InventBackSides, "backside"},
+                                                               {core::Task::BuildDepthLayers, "geometry"},
+                                                               {core::Task::EstimateReflectance, "reflectance"},
+                                                               {core::Task::RecoverEnvironment, "environment"}};
     std::map<std::string, double> seconds;
     auto last = Clock::now();
     std::mutex mutex;  // reports come from any thread
-    const core::StepContext timed(
-        [&](std::string_view step, float fraction) {
-            const auto now = Clock::now();
-            const std::lock_guard lock(mutex);
-            // Steps report when they begin and when they end; what lies between belongs to the step that reports.
-            const auto metric = kMetrics.find(step);
-            if (metric != kMetrics.end()) seconds[metric->second] += std::chrono::duration<double>(now - last).count();
-            last = now;
-            context.checkpoint(step, fraction);
-        },
-        nullptr, &kernels);
+    const core::Progress timed([&](core::Task task, float fraction) {
+        const auto now = Clock::now();
+        const std::lock_guard lock(mutex);
+        // Steps report when they begin and when they end; what lies between belongs to the step that reports.
+        const auto metric = kMetrics.find(task);
+        if (metric != kMetrics.end()) seconds[metric->second] += std::chrono::duration<double>(now - last).count();
+        last = now;
+        progress.checkpoint(fraction);
+    });
     const auto start = Clock::now();
     core::AnalysisPipeline pipeline;
-    (void)pipeline.run(scene, timed);
+    (void)pipeline.run(scene, timed, twin);
     seconds["total"] = secondsSince(start);
     return seconds;
 }
@@ -414,18 +416,18 @@ void Benchmarks::analyse() {
         getrusage(RUSAGE_SELF, &usage);
         return static_cast<double>(usage.ru_maxrss) * 1024;
     };
-    const bool onDevice = &context.kernels() != &core::cpuAnalysisKernels();
+    const bool onDevice = &kernels != &core::cpuAnalysisKernels();
     const std::map<std::string, double> cpu = analysisSeconds(core::cpuAnalysisKernels());
     double peak = peakBytes();
-    GpuAnalysisKernels kernels(device);
-    (void)analysisSeconds(kernels);  // compiles what it uses
-    const std::map<std::string, double> gpu = analysisSeconds(kernels);
+    GpuAnalysisKernels deviceKernels(device);
+    (void)analysisSeconds(deviceKernels);  // compiles what it uses
+    const std::map<std::string, double> gpu = analysisSeconds(deviceKernels);
     if (onDevice) peak = peakBytes();
     addAll("seconds.", onDevice ? gpu : cpu);
     add("analyse", "peak_bytes", peak, "B");
     addAll("cpu_seconds.", cpu);
     // Times of a device that gave up are the CPU's.
-    if (kernels.takeNotes().empty()) addAll("gpu_seconds.", gpu);
+    if (deviceKernels.takeNotes().empty()) addAll("gpu_seconds.", gpu);
 }
 
 }  // namespace
@@ -437,7 +439,7 @@ const std::vector<std::string>& benchmarkNames() {
 
 std::vector<BenchResult> runBenchmarks(const std::vector<std::string>& names, gpu::Device device,
                                        const core::Scene& scene, const std::shared_ptr<const core::Analysis>& analysis,
-                                       const core::StepContext& context) {
+                                       core::AnalysisKernels& kernels, const core::Progress& progress) {
     for (const std::string& name : names) {
         if (std::find(benchmarkNames().begin(), benchmarkNames().end(), name) != benchmarkNames().end()) continue;
         std::string known;
@@ -450,7 +452,7 @@ std::vector<BenchResult> runBenchmarks(const std::vector<std::string>& names, gp
     const auto wanted = [&](const char* name) {
         return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
     };
-    Benchmarks bench{std::move(device), scene, analysis, context, {}};
+    Benchmarks bench{std::move(device), scene, analysis, kernels, progress, {}};
     if (wanted("march")) bench.march();
     if (wanted("reshade")) bench.reshade();
     if (wanted("quality")) bench.quality();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/analysis/analysis.h"
+#include "core/analysis/kernels.h"
 #include "core/base/progress.h"
 #include "core/scene/scene.h"
 #include "gpu/device.h"
@@ -31,6 +32,7 @@ struct BenchResult {
 [[nodiscard]] std::vector<BenchResult> runBenchmarks(const std::vector<std::string>& names, gpu::Device device,
                                                      const core::Scene& scene,
                                                      const std::shared_ptr<const core::Analysis>& analysis,
-                                                     const core::StepContext& context = core::StepContext());
+                                                     core::AnalysisKernels& kernels = core::cpuAnalysisKernels(),
+                                                     const core::Progress& progress = {});
 
 }  // namespace render

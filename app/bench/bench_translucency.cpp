@@ -42,7 +42,7 @@ struct Bench {
     gpu::Device device;
     const core::Scene& scene;
     const core::Analysis& analysis;
-    const core::StepContext& context;
+    const core::Progress& progress;
     core::Segment segment{};
     SceneGeometry geometry{device};
     TranslucencyPass irradiance{device, geometry.layout()};
@@ -59,7 +59,7 @@ struct Bench {
     DiffusionGrids grids{};
     std::vector<std::uint32_t> pixels{};  // x | y << 16
 
-    Bench(gpu::Device d, const core::Scene& s, const core::Analysis& a, const core::StepContext& c);
+    Bench(gpu::Device d, const core::Scene& s, const core::Analysis& a, const core::Progress& p);
     template <class Record>
     void submit(const Record& record) const;
     void prepare(int count);
@@ -73,8 +73,8 @@ struct Bench {
     [[nodiscard]] Error compare(double* seconds = nullptr) const;
 };
 
-Bench::Bench(gpu::Device d, const core::Scene& s, const core::Analysis& a, const core::StepContext& c)
-    : device(std::move(d)), scene(s), analysis(a), context(c) {
+Bench::Bench(gpu::Device d, const core::Scene& s, const core::Analysis& a, const core::Progress& p)
+    : device(std::move(d)), scene(s), analysis(a), progress(p) {
     segment = *std::ranges::find_if(scene.segments, [](const core::Segment& x) { return x.edit.has_value(); });
     const core::DepthLayers layers =
         core::buildDepthLayers(scene.photo->camera, scene.photo->labels, *analysis.front, *analysis.back);
@@ -124,14 +124,14 @@ void Bench::prepare(int count) {
     for (const core::SurfaceSample& sample : samples.samples) positions.push_back(sample.position);
     core::DiffusionGrid grid = core::buildDiffusionGrid(
         positions, std::sqrt(samples.areaPerSample()), scene.photo->labels, analysis.front->depth,
-        analysis.front->position, segment.label, scene.render.diffusionQuality, context);
+        analysis.front->position, segment.label, scene.render.diffusionQuality, progress);
     pixels.clear();
     for (const kernel::uvec2& pixel : grid.pixels) pixels.push_back(pixel.x);
     grids = diffusion.upload(std::move(grid), points.sums, targets);
     diffusion.setAreas(grids, areas);
     const gpu::BindGroup group = irradiance.bindIrradiance(paths, points);
     for (std::uint32_t first = 0; first < points.count; first += kPointsPerSubmission) {
-        context.checkpoint("Benchmark: light", static_cast<float>(first) / static_cast<float>(points.count));
+        progress.checkpoint(static_cast<float>(first) / static_cast<float>(points.count));
         submit([&](const gpu::CommandEncoder& encoder) {
             irradiance.record(encoder, geometry, group,
                               {.firstPoint = first,
@@ -164,7 +164,7 @@ Times Bench::sum() {
                       std::back_inserter(light));
     const std::vector<DiffusionStep> sum = DiffusionPass::sumSteps(grids, kernel);
     for (int i = 0; i < kRepetitions; ++i) {
-        context.checkpoint("Benchmark: translucency", static_cast<float>(i) / kRepetitions);
+        progress.checkpoint(static_cast<float>(i) / kRepetitions);
         times.light = std::min(times.light, run(light));
         times.sum = std::min(times.sum, run(sum));
     }
@@ -191,7 +191,7 @@ Bench::Error Bench::compare(double* seconds) const {
     Error error;
     std::mutex mutex;
     const auto start = Clock::now();
-    core::parallelFor(context, "Benchmark: all pairs", static_cast<int>(count), [&](int i) {
+    core::parallelFor(progress, static_cast<int>(count), [&](int i) {
         const std::uint32_t pixel = pixels[static_cast<std::size_t>(i) * pixels.size() / count];
         const auto x = static_cast<int>(pixel & 0xffffU);
         const auto y = static_cast<int>(pixel >> 16);
@@ -228,7 +228,7 @@ Bench::Error Bench::compare(double* seconds) const {
 }
 
 double updateSeconds(const gpu::Device& device, core::Scene scene,
-                     const std::shared_ptr<const core::Analysis>& analysis, const core::StepContext& context) {
+                     const std::shared_ptr<const core::Analysis>& analysis, const core::Progress& progress) {
     constexpr int kRepetitions = 5;
     constexpr double kBudget = 0.1;  // device time per submission [s]
     scene.render.samples = 1;
@@ -249,7 +249,7 @@ double updateSeconds(const gpu::Device& device, core::Scene scene,
             worked = renderer.record(encoder, kBudget);
             device.queue().submit(encoder.finish());
             device.waitIdle();
-            context.checkpoint("Benchmark: update", renderer.progress().fraction);
+            progress.checkpoint(renderer.progress().fraction);
         }
         // The first one also lights the samples.
         if (i > 0) best = std::min(best, std::chrono::duration<double>(Clock::now() - start).count());
@@ -261,12 +261,12 @@ double updateSeconds(const gpu::Device& device, core::Scene scene,
 
 std::vector<BenchResult> benchTranslucency(const gpu::Device& device, const core::Scene& scene,
                                            const std::shared_ptr<const core::Analysis>& analysis,
-                                           const core::StepContext& context) {
+                                           const core::Progress& progress) {
     std::vector<BenchResult> results;
     const auto add = [&](const std::string& metric, double value, const char* unit) {
         results.push_back({"translucency", metric, value, unit});
     };
-    Bench bench(device, scene, *analysis, context);
+    Bench bench(device, scene, *analysis, progress);
     std::map<int, Times> times;
     for (const int thousands : {10, 40, 160}) {
         const std::string size = std::to_string(thousands) + "k";
@@ -288,7 +288,7 @@ std::vector<BenchResult> benchTranslucency(const gpu::Device& device, const core
     const auto exponent = [](double few, double many) { return std::log(many / few) / std::log(16.0); };
     add("exponent.seconds", exponent(times[10].sum, times[160].sum), "1");
     add("exponent.pairs", exponent(times[10].pairs, times[160].pairs), "1");
-    add("update_seconds.40k", updateSeconds(device, scene, analysis, context), "s");
+    add("update_seconds.40k", updateSeconds(device, scene, analysis, progress), "s");
     return results;
 }
 

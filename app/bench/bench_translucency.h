@@ -19,6 +19,6 @@ namespace render {
 /// (update_seconds.40k), and the exponents with which pairs and seconds grow with samples.
 [[nodiscard]] std::vector<BenchResult> benchTranslucency(const gpu::Device& device, const core::Scene& scene,
                                                          const std::shared_ptr<const core::Analysis>& analysis,
-                                                         const core::StepContext& context);
+                                                         const core::Progress& progress);
 
 }  // namespace render

@@ -62,9 +62,12 @@ void bench(const std::vector<std::string>& names, const std::string& project, bo
     const core::Scene scene = loadScene(project.empty() ? bundledSample() : project);
     const gpu::Device device = openDevice(session);
     const std::unique_ptr<core::AnalysisKernels> kernels = openAnalysisKernels(session);
-    const core::StepContext context = makeStepContext(kernels.get());
-    const std::shared_ptr<const core::Analysis> analysis = core::AnalysisPipeline().run(scene, context);
-    const std::vector<render::BenchResult> results = render::runBenchmarks(names, device, scene, analysis, context);
+    const core::Progress progress = printedProgress();
+    const std::shared_ptr<const core::Analysis> analysis =
+        core::AnalysisPipeline().run(scene, progress, kernels ? *kernels : core::cpuAnalysisKernels());
+    const std::vector<render::BenchResult> results =
+        render::runBenchmarks(names, device, scene, analysis, kernels ? *kernels : core::cpuAnalysisKernels(),
+                              progress.of(core::Task::Benchmark));
     finishProgress();
     if (kernels) printNotes(kernels->takeNotes());
     if (json) {

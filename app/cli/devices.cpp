@@ -68,7 +68,8 @@ std::unique_ptr<core::AnalysisKernels> openAnalysisKernels(const Session& sessio
 
 std::shared_ptr<const core::Analysis> analyse(const core::Scene& scene, const Session& session) {
     const std::unique_ptr<core::AnalysisKernels> kernels = openAnalysisKernels(session);
-    auto analysis = core::AnalysisPipeline().run(scene, makeStepContext(kernels.get()));
+    auto analysis =
+        core::AnalysisPipeline().run(scene, printedProgress(), kernels ? *kernels : core::cpuAnalysisKernels());
     finishProgress();
     if (kernels) printNotes(kernels->takeNotes());
     return analysis;

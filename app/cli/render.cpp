@@ -111,11 +111,11 @@ void render(const RenderArguments& args, const Session& session) {
     core::requireWritable(args.output);
 
     open();
-    const core::StepContext context = makeStepContext();
     const std::shared_ptr<const core::Analysis> analysis = analyse(scene, session);
     printNotes(core::analysisNotes(scene, *analysis));
     render::Renderer::Progress reached;
-    const core::ImageRgb result = render::renderImage(device, scene, analysis, context, &reached);
+    const core::ImageRgb result =
+        render::renderImage(device, scene, analysis, printedProgress().of(core::Task::Render), &reached);
     finishProgress();
     if (reached.timeUp)
         printNotes({"The time limit ended rendering after " + std::to_string(reached.samples) + " of " +

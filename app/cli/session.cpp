@@ -10,7 +10,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 
+#include "app/cli/words.h"
 #include "core/io/project.h"
 #include "core/material/brdf_file.h"
 #include "core/scene/mask.h"
@@ -23,22 +25,22 @@ std::atomic<bool> interrupted{false};
 
 extern "C" void onInterrupt(int) { interrupted.store(true); }
 
-/// Progress of the running step on stderr.
+/// Progress of the current task on stderr.
 class ProgressPrinter {
   public:
-    void report(std::string_view step, float fraction) {
+    void report(core::Task task, float fraction) {
         const std::lock_guard lock(mutex_);
         const int percent = static_cast<int>(std::lround(100 * std::clamp(fraction, 0.0f, 1.0f)));
-        const bool newStep = step != step_;
+        const bool newTask = task != task_;
         // steps run in parallel: reports may arrive out of order
-        if (!newStep && percent / (terminal_ ? 1 : 10) <= shown_) return;
-        if (newStep) step_ = step;
+        if (!newTask && percent / (terminal_ ? 1 : 10) <= shown_) return;
+        task_ = task;
         shown_ = percent / (terminal_ ? 1 : 10);
         if (terminal_) {
-            std::fprintf(stderr, "\r\033[K%s %d %%", step_.c_str(), percent);
+            std::fprintf(stderr, "\r\033[K%s %d %%", taskName(task), percent);
             open_ = true;
         } else {
-            std::fprintf(stderr, "%s %d %%\n", step_.c_str(), shown_ * 10);
+            std::fprintf(stderr, "%s %d %%\n", taskName(task), shown_ * 10);
         }
         std::fflush(stderr);
     }
@@ -46,14 +48,14 @@ class ProgressPrinter {
         const std::lock_guard lock(mutex_);
         if (open_) std::fputs("\r\033[K", stderr);
         open_ = false;
-        step_.clear();
+        task_.reset();
         shown_ = -1;
     }
 
   private:
     std::mutex mutex_;
     const bool terminal_ = ::isatty(STDERR_FILENO) == 1;
-    std::string step_;
+    std::optional<core::Task> task_;
     int shown_ = -1;
     bool open_ = false;
 };
@@ -65,9 +67,9 @@ ProgressPrinter& progressPrinter() {
 
 }  // namespace
 
-core::StepContext makeStepContext(core::AnalysisKernels* kernels) {
-    return core::StepContext([](std::string_view step, float fraction) { progressPrinter().report(step, fraction); },
-                             &interrupted, kernels);
+core::Progress printedProgress() {
+    return core::Progress([](core::Task task, float fraction) { progressPrinter().report(task, fraction); },
+                          &interrupted);
 }
 
 void finishProgress() { progressPrinter().finish(); }

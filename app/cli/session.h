@@ -39,8 +39,8 @@ void addDevices(CLI::App& app, Session& session);
 void addBench(CLI::App& app, Session& session);
 
 /// Reports progress to stderr (one rewritten line on a terminal, else a line per step and tenth) and stops the work on
-/// SIGINT. `kernels` compute the dear pieces of the analysis; nullptr = the CPU.
-[[nodiscard]] core::StepContext makeStepContext(core::AnalysisKernels* kernels = nullptr);
+/// SIGINT.
+[[nodiscard]] core::Progress printedProgress();
 /// Ends the rewritten line, so that the next message starts on its own.
 void finishProgress();
 /// From now on SIGINT asks the running step to stop; a second one kills the program.

@@ -5,12 +5,12 @@ namespace core::analysis {
 
 Step depthLayersStep() {
     Step step;
-    step.name = "Depth layers";
+    step.task = Task::BuildDepthLayers;
     step.reads = {Item::Photo, Item::Front, Item::Back};
     step.writes = Item::Layers;
     step.params = [](const Scene&, Hash&) {};
     step.run = [](Board& board, const StepContext& context) {
-        context.checkpoint("Depth layers", 0);
+        context.progress.checkpoint(0);
         const Photo& photo = *board.scene->photo;
         board.layers = std::make_shared<DepthLayers>(
             buildDepthLayers(photo.camera, photo.labels, *board.front, board.back->surface));

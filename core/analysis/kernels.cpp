@@ -10,8 +10,8 @@ class CpuDepthFilter : public AnalysisKernels::DepthFilter {
   public:
     CpuDepthFilter(const Image<std::uint32_t>& color, const LabelImage& labels) : color_(color), labels_(labels) {}
     [[nodiscard]] ImageF run(const analysis::FilterPass& pass, const ImageF& inverseDepth,
-                             const StepPart& part) override {
-        return analysis::runFilterPass(pass, inverseDepth, color_, labels_, part);
+                             const Progress& progress) override {
+        return analysis::runFilterPass(pass, inverseDepth, color_, labels_, progress);
     }
 
   private:
@@ -24,7 +24,7 @@ class CpuRayMarcher : public AnalysisKernels::RayMarcher {
     explicit CpuRayMarcher(const DepthLayers& layers) : layers_(layers), everything_(layers) {}
 
     [[nodiscard]] std::vector<std::optional<MarchHit>> march(std::span<const MarchRay> rays, std::uint16_t without,
-                                                             const StepPart& part) override {
+                                                             const Progress& progress) override {
         std::optional<MarchPyramid> others;
         if (without != 0) others.emplace(layers_, without);
         const MarchPyramid& pyramid = others ? *others : everything_;
@@ -35,8 +35,7 @@ class CpuRayMarcher : public AnalysisKernels::RayMarcher {
             for (std::size_t i = begin; i < std::min(rays.size(), begin + kChunk); ++i)
                 if (!rays[i].direction.isZero(0)) hits[i] = pyramid.march(rays[i].origin, rays[i].direction);
         };
-        parallelFor(part.context, part.step, static_cast<int>((rays.size() + kChunk - 1) / kChunk), marchChunk,
-                    part.from, part.to);
+        parallelFor(progress, static_cast<int>((rays.size() + kChunk - 1) / kChunk), marchChunk);
         return hits;
     }
 
@@ -51,18 +50,18 @@ class CpuAnalysisKernels : public AnalysisKernels {
                                                            const LabelImage& labels) override {
         return std::make_unique<CpuDepthFilter>(color, labels);
     }
-    void computeSurface(const analysis::SurfaceInput& input, Surface& surface, const StepPart& part) override {
-        analysis::computeSurface(input, surface, part);
+    void computeSurface(const analysis::SurfaceInput& input, Surface& surface, const Progress& progress) override {
+        analysis::computeSurface(input, surface, progress);
     }
     [[nodiscard]] std::unique_ptr<RayMarcher> rayMarcher(const DepthLayers& layers) override {
         return std::make_unique<CpuRayMarcher>(layers);
     }
     void relaxMembrane(const ImageF& coverage, std::span<const analysis::MembraneRow> rows, ImageRgb& values,
-                       const StepPart& part) override {
-        analysis::relaxMembrane(coverage, rows, values, part);
+                       const Progress& progress) override {
+        analysis::relaxMembrane(coverage, rows, values, progress);
     }
-    void fillShepard(const analysis::DirectionTree& tree, DirectionalMap& map, const StepPart& part) override {
-        analysis::fillShepard(tree, map, part);
+    void fillShepard(const analysis::DirectionTree& tree, DirectionalMap& map, const Progress& progress) override {
+        analysis::fillShepard(tree, map, progress);
     }
 };
 

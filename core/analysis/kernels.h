@@ -13,6 +13,7 @@
 #include "core/analysis/depth/normals.h"
 #include "core/analysis/light/shepard.h"
 #include "core/analysis/light/sphere_membrane.h"
+#include "core/analysis/step_context.h"
 #include "core/base/progress.h"
 #include "core/geometry/march.h"
 
@@ -22,7 +23,7 @@ namespace core {
 /// them through their StepContext. The CPU's versions (`cpuAnalysisKernels`) are what the steps' own headers describe;
 /// they know nothing of a device and are the oracle of any other implementation, which has to
 /// - return what the CPU returns but for rounding, and the same bytes every time,
-/// - call the part's `checkpoint` every few hundredths of a second, and let Error(Cancelled) through,
+/// - call `checkpoint` every few hundredths of a second, and let Error(Cancelled) through,
 /// - never fail for the device's sake: without memory or device it goes on on the CPU and leaves a note.
 /// One analysis at a time, on one thread.
 class AnalysisKernels {
@@ -38,14 +39,14 @@ class AnalysisKernels {
         virtual ~DepthFilter() = default;
         /// analysis::runFilterPass.
         [[nodiscard]] virtual ImageF run(const analysis::FilterPass& pass, const ImageF& inverseDepth,
-                                         const StepPart& part) = 0;
+                                         const Progress& progress) = 0;
     };
     /// `color` (analysis::encodeColor) and `labels` have to outlive the result.
     [[nodiscard]] virtual std::unique_ptr<DepthFilter> depthFilter(const Image<std::uint32_t>& color,
                                                                    const LabelImage& labels) = 0;
 
     /// analysis::computeSurface.
-    virtual void computeSurface(const analysis::SurfaceInput& input, Surface& surface, const StepPart& part) = 0;
+    virtual void computeSurface(const analysis::SurfaceInput& input, Surface& surface, const Progress& progress) = 0;
 
     /// Rays through one set of depth layers.
     class RayMarcher {
@@ -55,17 +56,17 @@ class AnalysisKernels {
         /// and hits nothing.
         [[nodiscard]] virtual std::vector<std::optional<MarchHit>> march(std::span<const MarchRay> rays,
                                                                          std::uint16_t without,
-                                                                         const StepPart& part) = 0;
+                                                                         const Progress& progress) = 0;
     };
     /// `layers` have to outlive the result; one at a time.
     [[nodiscard]] virtual std::unique_ptr<RayMarcher> rayMarcher(const DepthLayers& layers) = 0;
 
     /// analysis::relaxMembrane.
     virtual void relaxMembrane(const ImageF& coverage, std::span<const analysis::MembraneRow> rows, ImageRgb& values,
-                               const StepPart& part) = 0;
+                               const Progress& progress) = 0;
 
     /// analysis::fillShepard.
-    virtual void fillShepard(const analysis::DirectionTree& tree, DirectionalMap& map, const StepPart& part) = 0;
+    virtual void fillShepard(const analysis::DirectionTree& tree, DirectionalMap& map, const Progress& progress) = 0;
 
     /// What went otherwise than asked for since the last call, full sentences.
     [[nodiscard]] virtual std::vector<std::string> takeNotes() { return {}; }

@@ -60,7 +60,8 @@ AnalysisPipeline::~AnalysisPipeline() = default;
 
 const AnalysisPipeline::RunCounts& AnalysisPipeline::runCounts() const { return cache_->runs; }
 
-std::shared_ptr<const Analysis> AnalysisPipeline::run(const Scene& scene, const StepContext& context) {
+std::shared_ptr<const Analysis> AnalysisPipeline::run(const Scene& scene, const Progress& progress,
+                                                      AnalysisKernels& kernels) {
     if (!scene.photo || scene.photo->color.empty())
         throw Error(ErrorKind::Input, "There is no photograph to analyse. Load a colour picture with depth first.");
     CORE_ASSERT(scene.photo->color.sameSize(scene.photo->depth) && scene.photo->color.sameSize(scene.photo->labels),
@@ -75,24 +76,25 @@ std::shared_ptr<const Analysis> AnalysisPipeline::run(const Scene& scene, const 
     cache.setInput(Item::UserBackDepth, scene.backDepth, addImage);
     cache.setInput(Item::UserEnvironment, scene.environment.image, addImage);
 
-    // Keys say what a result is made from, not who computes it: the kernels of the context are twins that agree within
+    // Keys say what a result is made from, not who computes it: the kernels are twins that agree within
     // rounding (core/analysis/kernels.h), so a result of one stays valid when the next run is given another.
     Board& board = cache.board;
     board.scene = &scene;
     for (const Step& step : analysisSteps()) {
+        const StepContext context{progress.of(step.task), kernels};
         Hash hash;
-        hash.add(std::string(step.name));
+        hash.add(step.task);
         for (const Item item : step.reads) hash.add(cache.itemKeys[item]);
         step.params(scene, hash);
         std::uint64_t& written = cache.itemKeys[step.writes];
         if (written != hash.value()) {
-            context.checkpoint(step.name, 0);
+            context.progress.checkpoint(0);
             step.run(board, context);
             written = hash.value();
-            ++cache.runs[step.name];
+            ++cache.runs[step.task];
         }
         if (step.writes == Item::Layers) board.layersKey = written;
-        context.checkpoint(step.name, 1);
+        context.progress.checkpoint(1);
     }
     board.scene = nullptr;
 

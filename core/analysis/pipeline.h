@@ -3,9 +3,9 @@
 
 #include <map>
 #include <memory>
-#include <string>
 
 #include "core/analysis/analysis.h"
+#include "core/analysis/kernels.h"
 #include "core/base/progress.h"
 #include "core/scene/scene.h"
 
@@ -20,12 +20,13 @@ class AnalysisPipeline {
     AnalysisPipeline(const AnalysisPipeline&) = delete;
     AnalysisPipeline& operator=(const AnalysisPipeline&) = delete;
 
-    /// Throws Error(Cancelled) when the context asks to stop (the cache stays valid) and Error(Input) when the scene
+    /// Throws Error(Cancelled) when the progress asks to stop (the cache stays valid) and Error(Input) when the scene
     /// cannot be analysed (no valid depth at all).
-    [[nodiscard]] std::shared_ptr<const Analysis> run(const Scene& scene, const StepContext& context = StepContext());
+    [[nodiscard]] std::shared_ptr<const Analysis> run(const Scene& scene, const Progress& progress = {},
+                                                      AnalysisKernels& kernels = cpuAnalysisKernels());
 
-    /// How often each step has run, by its name: tells what a change recomputed.
-    using RunCounts = std::map<std::string, int>;
+    /// How often each step has run: shows what a change recomputed.
+    using RunCounts = std::map<Task, int>;
     [[nodiscard]] const RunCounts& runCounts() const;
 
   private:

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/analysis/analysis.h"
-#include "core/base/progress.h"
+#include "core/analysis/step_context.h"
 #include "core/geometry/depth_layers.h"
 #include "core/scene/scene.h"
 
@@ -107,12 +107,12 @@ struct Board {
 
 /// One node of the processing graph. Its result is kept as long as the items it reads and its parameters do not change.
 struct Step {
-    const char* name = "";
+    Task task = Task::Working;
     std::vector<Item> reads;
     Item writes = Item::Count;
     void (*params)(const Scene&, Hash&) = nullptr;  ///< adds all parameters of the scene that matter to it
-    void (*run)(Board&,
-                const StepContext&) = nullptr;  ///< computes; writes its item last, so that a stop leaves the old
+    /// Computes; writes its item last, so that a stop leaves the old one.
+    void (*run)(Board&, const StepContext&) = nullptr;
 };
 
 Step filterDepthStep();  ///< Photo → Depth: joint bilateral filter, small holes (docs/method.md#depth)

@@ -54,7 +54,8 @@ float power8(float v) {
     return v * v;
 }
 
-void separate(const Photo& photo, const Surface& front, const Region& region, ImageF& detail, const StepPart& part) {
+void separate(const Photo& photo, const Surface& front, const Region& region, ImageF& detail,
+              const Progress& progress) {
     const auto inside = [&](int x, int y) {
         return photo.labels.contains(x, y) && photo.labels(x, y) == region.label && front.depth(x, y) > 0;
     };
@@ -95,9 +96,9 @@ void separate(const Photo& photo, const Surface& front, const Region& region, Im
                 shading(x, y) = value / weights;
             }
         };
-        const float share = (part.to - part.from) / static_cast<float>(levels);
-        parallelFor(part.context, part.step, height, row, part.from + share * static_cast<float>(level),
-                    part.from + share * static_cast<float>(level + 1));
+        const float share = 1 / static_cast<float>(levels);
+        parallelFor(progress.part(share * static_cast<float>(level), share * static_cast<float>(level + 1)), height,
+                    row);
     }
     double total = 0;
     for (int y = 0; y < height; ++y)
@@ -119,7 +120,7 @@ void separate(const Photo& photo, const Surface& front, const Region& region, Im
 
 Step textureDetailStep() {
     Step step;
-    step.name = "Texture";
+    step.task = Task::SeparateTexture;
     step.reads = {Item::Photo, Item::Front};
     step.writes = Item::TextureDetail;
     step.params = [](const Scene& scene, Hash& hash) {
@@ -134,10 +135,7 @@ Step textureDetailStep() {
         const float share = 1 / static_cast<float>(std::max<std::size_t>(regions.size(), 1));
         for (std::size_t i = 0; i < regions.size(); ++i)
             separate(photo, *board.front, regions[i], *detail,
-                     {.context = context,
-                      .step = "Texture",
-                      .from = share * static_cast<float>(i),
-                      .to = share * static_cast<float>(i + 1)});
+                     context.progress.part(share * static_cast<float>(i), share * static_cast<float>(i + 1)));
         board.textureDetail = std::move(detail);
     };
     return step;

@@ -7,7 +7,6 @@
 #include <atomic>
 #include <future>
 #include <memory>
-#include <string_view>
 #include <thread>
 #include <type_traits>
 #include <utility>
@@ -16,17 +15,16 @@
 
 namespace core {
 
-/// Calls `body(i)` for every i in [0, count) on all cores, in no order. Reports progress from `from` to `to` of the
-/// step and throws Error(Cancelled), or what the body threw, once all running bodies have returned. A body is about a
-/// row of pixels: long enough to be worth a checkpoint, short enough for a prompt stop.
+/// Calls `body(i)` for every i in [0, count) on all cores, in no order. Reports progress and throws Error(Cancelled),
+/// or what the body threw, once all running bodies have returned. A body is about a row of pixels: long enough to be
+/// worth a checkpoint, short enough for a prompt stop.
 template <class Body>
-void parallelFor(const StepContext& context, std::string_view step, int count, const Body& body, float from = 0,
-                 float to = 1) {
+void parallelFor(const Progress& progress, int count, const Body& body) {
     std::atomic<int> done{0};
-    const float scale = count > 0 ? (to - from) / static_cast<float>(count) : 0.0f;
+    const float scale = count > 0 ? 1 / static_cast<float>(count) : 0.0f;
     tbb::parallel_for(tbb::blocked_range<int>(0, count, 4), [&](const tbb::blocked_range<int>& range) {
         for (int i = range.begin(); i != range.end(); ++i) {
-            context.checkpoint(step, from + scale * static_cast<float>(done.fetch_add(1, std::memory_order_relaxed)));
+            progress.checkpoint(scale * static_cast<float>(done.fetch_add(1, std::memory_order_relaxed)));
             body(i);
         }
     });

@@ -3,49 +3,72 @@
 
 #include <atomic>
 #include <functional>
-#include <string_view>
+#include <memory>
+#include <utility>
 
 #include "core/base/error.h"
 
 namespace core {
 
-class AnalysisKernels;  // core/analysis/kernels.h
-[[nodiscard]] AnalysisKernels& cpuAnalysisKernels();
-
-/// How long work talks to whoever started it: progress out, cancellation in, and who computes the pieces a device may
-/// take over. Every long loop calls `checkpoint` at least every few milliseconds. Thread-safe but for the kernels.
-class StepContext {
-  public:
-    /// Called with the running step's name and its progress in [0, 1]; from any thread.
-    using Progress = std::function<void(std::string_view step, float fraction)>;
-
-    StepContext() = default;
-    /// `kernels` have to outlive the work; nullptr = the CPU's.
-    explicit StepContext(Progress progress, const std::atomic<bool>* cancel = nullptr,
-                         AnalysisKernels* kernels = nullptr)
-        : progress_(std::move(progress)), cancel_(cancel), kernels_(kernels) {}
-
-    [[nodiscard]] bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
-    /// Reports progress and throws Error(Cancelled) when the user asked to stop.
-    void checkpoint(std::string_view step, float fraction) const {
-        if (cancelled()) throw Error(ErrorKind::Cancelled, "The work was cancelled.");
-        if (progress_) progress_(step, fraction);
-    }
-    [[nodiscard]] AnalysisKernels& kernels() const { return kernels_ != nullptr ? *kernels_ : cpuAnalysisKernels(); }
-
-  private:
-    Progress progress_;
-    const std::atomic<bool>* cancel_ = nullptr;
-    AnalysisKernels* kernels_ = nullptr;
+/// What long work is doing. An identity, not a text: ui/words.h and app/cli/words.h name it for people.
+enum class Task {
+    Working,
+    LoadPhoto,
+    RecoverDepth,
+    ComputeNormals,
+    InventBackSides,
+    BuildDepthLayers,
+    EstimateReflectance,
+    RecoverEnvironment,
+    SeparateTexture,
+    Render,
+    FilterPicture,
+    SumDiffusion,
+    Benchmark,
 };
 
-/// One piece of a step's work: its progress runs from `from` to `to` of the step.
-struct StepPart {
-    const StepContext& context;
-    const char* step = "";
-    float from = 0;
-    float to = 1;
-    void checkpoint(float fraction) const { context.checkpoint(step, from + fraction * (to - from)); }
+/// How long work talks to whoever started it: progress out, cancellation in. A value, cheap to copy: a part of the work
+/// gets a part of the progress. Every long loop calls `checkpoint` at least every few milliseconds. Thread-safe.
+class Progress {
+  public:
+    /// Receives the current task and its progress in [0, 1]; called from any thread.
+    using Report = std::function<void(Task, float)>;
+
+    /// Reports to nobody and cannot be cancelled.
+    Progress() = default;
+    /// `cancel` must outlive the work; nullptr = cannot be cancelled.
+    explicit Progress(Report report, const std::atomic<bool>* cancel = nullptr)
+        : report_(report ? std::make_shared<const Report>(std::move(report)) : nullptr), cancel_(cancel) {}
+
+    /// The progress of a task by itself, from 0 to 1.
+    [[nodiscard]] Progress of(Task task) const {
+        Progress result = *this;
+        result.task_ = task;
+        result.from_ = 0;
+        result.to_ = 1;
+        return result;
+    }
+    /// The part [from, to] of this progress, as a progress from 0 to 1 of its own.
+    [[nodiscard]] Progress part(float from, float to) const {
+        Progress result = *this;
+        result.from_ = from_ + from * (to_ - from_);
+        result.to_ = from_ + to * (to_ - from_);
+        return result;
+    }
+
+    [[nodiscard]] bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
+    /// Reports `fraction` in [0, 1] and throws Error(Cancelled) when the user asked to stop.
+    void checkpoint(float fraction) const {
+        if (cancelled()) throw Error(ErrorKind::Cancelled, "The work was cancelled.");
+        if (report_) (*report_)(task_, from_ + fraction * (to_ - from_));
+    }
+
+  private:
+    std::shared_ptr<const Report> report_;
+    const std::atomic<bool>* cancel_ = nullptr;
+    Task task_ = Task::Working;
+    float from_ = 0;
+    float to_ = 1;
 };
 
 }  // namespace core

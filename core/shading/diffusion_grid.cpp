@@ -58,7 +58,7 @@ struct Builder {
     std::span<const Vector3f> positions;
     const ImageV3& position;
     std::vector<std::uint32_t> pixels;  // x | y << 16
-    const StepContext& context;
+    const Progress& progress;
     DiffusionGrid grid{};
     std::vector<BrickMap> maps{};
 
@@ -127,7 +127,7 @@ struct Builder {
         }
         std::size_t total = maps[0].origins.size();
         for (std::size_t l = 1; l < maps.size(); ++l) {
-            context.checkpoint("Translucency: grids", static_cast<float>(l) / static_cast<float>(maps.size()));
+            progress.checkpoint(static_cast<float>(l) / static_cast<float>(maps.size()));
             const std::vector<Cell>& fine = maps[l - 1].origins;
             // A brick's cells are read from 2b-1 to 2b+2 of the coarser level.
             const auto addCoarser = [&](std::size_t count, int cells) {
@@ -160,7 +160,7 @@ struct Builder {
         }
         grid.words.assign(std::size_t{next} * DIFFUSION_BRICK_WORDS, 0);
         for (std::size_t l = 0; l < maps.size(); ++l) {
-            context.checkpoint("Translucency: grids", static_cast<float>(l) / static_cast<float>(maps.size()));
+            progress.checkpoint(static_cast<float>(l) / static_cast<float>(maps.size()));
             const auto number = [&](std::size_t level, const Cell& c) {
                 const std::optional<std::uint32_t> found = maps[level].find(c);
                 return found ? grid.levels[level].first + *found : 0;
@@ -225,7 +225,7 @@ double cellsPerSpacing(DiffusionQuality quality) {
 
 DiffusionGrid buildDiffusionGrid(std::span<const Vector3f> positions, double spacing, const LabelImage& labels,
                                  const ImageF& depth, const ImageV3& position, std::uint16_t label,
-                                 DiffusionQuality quality, const StepContext& context) {
+                                 DiffusionQuality quality, const Progress& progress) {
     std::vector<std::uint32_t> pixels;
     Eigen::AlignedBox3d box;
     for (int y = 0; y < labels.height(); ++y)
@@ -237,7 +237,7 @@ DiffusionGrid buildDiffusionGrid(std::span<const Vector3f> positions, double spa
     for (const Vector3f& p : positions) box.extend(inAxes(p));
     const double extent = box.isEmpty() ? 1.0 : box.diagonal().norm();
 
-    Builder builder{.positions = positions, .position = position, .pixels = std::move(pixels), .context = context};
+    Builder builder{.positions = positions, .position = position, .pixels = std::move(pixels), .progress = progress};
     DiffusionGrid& grid = builder.grid;
     // Of no use below what single precision tells apart.
     grid.spacing = std::max({spacing, 1e-4 * extent, 1e-9});

@@ -71,7 +71,7 @@ struct DiffusionGrid {
 [[nodiscard]] DiffusionGrid buildDiffusionGrid(std::span<const Vector3f> positions, double spacing,
                                                const LabelImage& labels, const ImageF& depth, const ImageV3& position,
                                                std::uint16_t label, DiffusionQuality quality,
-                                               const StepContext& context = StepContext());
+                                               const Progress& progress = {});
 
 inline constexpr std::uint32_t kMaxDiffusionBricks = 60000;
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/analysis/segment/segment_pixels.h"
+#include "core/material/brdf.h"
 #include "core/shading/segment_shading.h"
 
 namespace core {

@@ -142,11 +142,11 @@ ImageRgb meanRadiance(const Accumulation& accumulation) {
 
 ImageRgb filterReshaded(const Accumulation& accumulation, const Camera& camera, const Surface& front,
                         const LabelImage& labels, const std::vector<std::uint8_t>& edited,
-                        const ImageFilterParams& params, const StepContext& context) {
+                        const ImageFilterParams& params, const Progress& progress) {
     if (accumulation.samples <= 0) return accumulation.sum;
     Filter filter(accumulation, camera, front, labels, edited, params);
     for (int i = 0; i < params.levels; ++i) {
-        context.checkpoint("Filtering", static_cast<float>(i) / static_cast<float>(params.levels));
+        progress.checkpoint(static_cast<float>(i) / static_cast<float>(params.levels));
         filter.level(i);
     }
     return filter.take();

@@ -45,7 +45,7 @@ inline constexpr int kTemporalSamples = 4;
 /// part when its label image entry is marked and its depth is valid.
 [[nodiscard]] ImageRgb filterReshaded(const Accumulation& accumulation, const Camera& camera, const Surface& front,
                                       const LabelImage& labels, const std::vector<std::uint8_t>& edited,
-                                      const ImageFilterParams& params = {}, const StepContext& context = StepContext());
+                                      const ImageFilterParams& params = {}, const Progress& progress = {});
 
 /// Mean radiance of an accumulation: sum / samples.
 [[nodiscard]] ImageRgb meanRadiance(const Accumulation& accumulation);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/color.h"
+#include "core/base/kernel_types.h"
 #include "core/base/parallel.h"
 #include "core/material/brdf_file.h"
 #include "core/material/diffusion_profile.h"
@@ -19,12 +20,7 @@
 
 namespace core {
 
-namespace {
-
-kernel::vec3 toKernel(const Vector3f& v) { return {v.x(), v.y(), v.z()}; }
-Vector3f fromKernel(kernel::vec3 v) { return {v.x, v.y, v.z}; }
-
-}  // namespace
+namespace {}  // namespace
 
 /// A surface point on a path.
 struct ReferenceRenderer::Vertex {
@@ -215,14 +211,14 @@ kernel::vec3 ReferenceRenderer::normalAt(int x, int y, kernel::vec2 offset) cons
     return sum;
 }
 
-Accumulation ReferenceRenderer::reshade(int samples, std::uint32_t first, const StepContext& context) const {
+Accumulation ReferenceRenderer::reshade(int samples, std::uint32_t first, const Progress& progress) const {
     const int width = layers_->camera.width;
     const int height = layers_->camera.height;
     Accumulation result{.sum = ImageRgb(width, height, Vector3f::Zero()),
                         .sumSquaredLuminance = ImageF(width, height),
                         .samples = samples};
     std::atomic<std::uint64_t> dropped{0};
-    parallelFor(context, "Re-shading", height, [&](int y) {
+    parallelFor(progress, height, [&](int y) {
         for (int x = 0; x < width; ++x) {
             if (shadingOf(layers_->labels(x, y)).diffuse.w == 0) continue;
             Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -246,10 +242,10 @@ Accumulation ReferenceRenderer::reshade(int samples, std::uint32_t first, const 
 }
 
 std::vector<Vector3f> ReferenceRenderer::irradiance(const SurfaceSamples& samples, std::uint16_t label, float eta,
-                                                    int rays, const StepContext& context) const {
+                                                    int rays, const Progress& progress) const {
     const std::uint32_t seed = kernel::rng_stream(scene_.render.seed, 2u * label + 1u);
     std::vector<Vector3f> result(samples.samples.size(), Vector3f::Zero());
-    parallelFor(context, "Gathering light", static_cast<int>(result.size()), [&](int i) {
+    parallelFor(progress, static_cast<int>(result.size()), [&](int i) {
         const SurfaceSample& sample = samples.samples[static_cast<std::size_t>(i)];
         const auto id = static_cast<std::uint32_t>(i);
         Vertex vertex;
@@ -271,7 +267,7 @@ std::vector<Vector3f> ReferenceRenderer::irradiance(const SurfaceSamples& sample
 
 ImageRgb ReferenceRenderer::translucentRadiosity(const SurfaceSamples& samples, const std::vector<Vector3f>& irradiance,
                                                  std::uint16_t label, const DiffusionProfile& profile,
-                                                 const StepContext& context) const {
+                                                 const Progress& progress) const {
     CORE_ASSERT(samples.samples.size() == irradiance.size(), "one irradiance per surface sample");
     const Surface& front = *analysis_->front;
     ImageRgb result(layers_->camera.width, layers_->camera.height, Vector3f::Zero());
@@ -283,7 +279,7 @@ ImageRgb ReferenceRenderer::translucentRadiosity(const SurfaceSamples& samples, 
         flatSurface[c] = static_cast<float>(profile.integral(c));
         tolerance[c] = static_cast<float>(profile.tolerance(c));
     }
-    parallelFor(context, "Scattering light", result.height(), [&](int y) {
+    parallelFor(progress, result.height(), [&](int y) {
         for (int x = 0; x < result.width(); ++x) {
             if (layers_->labels(x, y) != label || !(front.depth(x, y) > 0)) continue;
             const Vector3f p = front.position(x, y);
@@ -305,7 +301,7 @@ ImageRgb ReferenceRenderer::translucentRadiosity(const SurfaceSamples& samples, 
     return result;
 }
 
-ImageRgb ReferenceRenderer::translucency(const StepContext& context) const {
+ImageRgb ReferenceRenderer::translucency(const Progress& progress) const {
     const Surface& front = *analysis_->front;
     ImageRgb result(layers_->camera.width, layers_->camera.height, Vector3f::Zero());
     for (const Segment& segment : scene_.segments) {
@@ -314,9 +310,9 @@ ImageRgb ReferenceRenderer::translucency(const StepContext& context) const {
         const SurfaceSamples samples =
             sampleSurface(*analysis_, layers_->labels, segment.label, scene_.render.surfaceSamples, scene_.render.seed);
         const std::vector<Vector3f> light =
-            irradiance(samples, segment.label, profile.eta, scene_.render.irradianceSamples, context);
+            irradiance(samples, segment.label, profile.eta, scene_.render.irradianceSamples, progress);
         const ImageRgb radiosity =
-            translucentRadiosity(samples, light, segment.label, blurred(profile, samples.areaPerSample()), context);
+            translucentRadiosity(samples, light, segment.label, blurred(profile, samples.areaPerSample()), progress);
         for (std::size_t i = 0; i < result.size(); ++i) {
             if (layers_->labels[i] != segment.label || !(front.depth[i] > 0)) continue;
             const kernel::vec3 wo = kernel::normalize(-toKernel(front.position[i]));
@@ -357,14 +353,14 @@ ImageRgb ReferenceRenderer::composite(const ImageRgb& reshaded, const ImageRgb& 
 }
 
 ImageRgb renderReference(const Scene& scene, const std::shared_ptr<const Analysis>& analysis,
-                         const StepContext& context) {
+                         const Progress& progress) {
     const ReferenceRenderer renderer(scene, analysis);
-    const Accumulation sums = renderer.reshade(scene.render.samples, 0, context);
+    const Accumulation sums = renderer.reshade(scene.render.samples, 0, progress);
     const std::vector<std::uint8_t> edited = editedLabels(renderer.shading());
     const ImageRgb reshaded = scene.render.filter ? filterReshaded(sums, scene.photo->camera, *analysis->front,
-                                                                   scene.photo->labels, edited, {}, context)
+                                                                   scene.photo->labels, edited, {}, progress)
                                                   : meanRadiance(sums);
-    return renderer.composite(reshaded, renderer.translucency(context));
+    return renderer.composite(reshaded, renderer.translucency(progress));
 }
 
 }  // namespace core

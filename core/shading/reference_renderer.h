@@ -72,20 +72,19 @@ class ReferenceRenderer {
     [[nodiscard]] Vector3f pathRadiance(int x, int y, std::uint32_t sample) const;
 
     /// `samples` paths per re-shaded pixel, numbered from `first`.
-    [[nodiscard]] Accumulation reshade(int samples, std::uint32_t first = 0,
-                                       const StepContext& context = StepContext()) const;
+    [[nodiscard]] Accumulation reshade(int samples, std::uint32_t first = 0, const Progress& progress = {}) const;
 
     /// Ê of every surface sample of `label` [radiance · sr], `rays` rays each.
     [[nodiscard]] std::vector<Vector3f> irradiance(const SurfaceSamples& samples, std::uint16_t label, float eta,
-                                                   int rays, const StepContext& context = StepContext()) const;
+                                                   int rays, const Progress& progress = {}) const;
 
     /// B of every pixel of `label` (see above), zero elsewhere; brute force.
     [[nodiscard]] ImageRgb translucentRadiosity(const SurfaceSamples& samples, const std::vector<Vector3f>& irradiance,
                                                 std::uint16_t label, const DiffusionProfile& profile,
-                                                const StepContext& context = StepContext()) const;
+                                                const Progress& progress = {}) const;
 
     /// L_t of every translucent segment, with the scene's sample counts; the material's weight is not applied.
-    [[nodiscard]] ImageRgb translucency(const StepContext& context = StepContext()) const;
+    [[nodiscard]] ImageRgb translucency(const Progress& progress = {}) const;
 
     /// The edited photograph from mean re-shaded and translucent radiance.
     [[nodiscard]] ImageRgb composite(const ImageRgb& reshaded, const ImageRgb& translucent) const;
@@ -122,6 +121,6 @@ class ReferenceRenderer {
 
 /// Everything: re-shades, scatters, filters (when the scene asks for it) and composites.
 [[nodiscard]] ImageRgb renderReference(const Scene& scene, const std::shared_ptr<const Analysis>& analysis,
-                                       const StepContext& context = StepContext());
+                                       const Progress& progress = {});
 
 }  // namespace core

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shading/segment_shading.h"
 
+#include "core/base/kernel_types.h"
 #include "core/material/brdf.h"
 #include "core/material/diffusion_profile.h"
 #include "core/material/translucency.h"
 
 namespace core {
 namespace {
-
-kernel::vec3 toKernel(const Vector3f& v) { return {v.x(), v.y(), v.z()}; }
 
 kernel::SegmentShading shadingOf(const Segment& segment, const Analysis& analysis) {
     kernel::SegmentShading s;

@@ -92,13 +92,13 @@ class GpuAnalysisKernels::Impl::Filter : public DepthFilter {
         : impl_(std::move(impl)), color_(color), labels_(labels) {}
 
     [[nodiscard]] core::ImageF run(const core::analysis::FilterPass& pass, const core::ImageF& inverseDepth,
-                                   const core::StepPart& part) override {
+                                   const core::Progress& progress) override {
         const auto onDevice = [&] {
             const DepthFilterPass& kernel = impl_->filter.get();
             if (!images_) images_ = kernel.upload(color_, labels_);
-            return kernel.run(*images_, pass, inverseDepth, impl_->slices, part);
+            return kernel.run(*images_, pass, inverseDepth, impl_->slices, progress);
         };
-        const auto onCpu = [&] { return core::analysis::runFilterPass(pass, inverseDepth, color_, labels_, part); };
+        const auto onCpu = [&] { return core::analysis::runFilterPass(pass, inverseDepth, color_, labels_, progress); };
         return impl_->attempt("depth filter", onDevice, onCpu);
     }
 
@@ -122,7 +122,7 @@ class GpuAnalysisKernels::Impl::Marcher : public RayMarcher {
 
     [[nodiscard]] std::vector<std::optional<core::MarchHit>> march(std::span<const core::MarchRay> rays,
                                                                    std::uint16_t without,
-                                                                   const core::StepPart& part) override {
+                                                                   const core::Progress& progress) override {
         const auto onDevice = [&] {
             Marching& marching = impl_->marching.get();
             if (!std::exchange(uploaded_, true)) {
@@ -132,7 +132,8 @@ class GpuAnalysisKernels::Impl::Marcher : public RayMarcher {
             }
             std::vector<std::optional<core::MarchHit>> hits(rays.size());
             impl_->slices.run(
-                part, "march_rays", rays.size(), kLeastRays, kMostRays, [&](std::uint64_t first, std::uint64_t count) {
+                progress, "march_rays", rays.size(), kLeastRays, kMostRays,
+                [&](std::uint64_t first, std::uint64_t count) {
                     const std::vector<RayHit> found =
                         marching.marcher.march(rays.subspan(first, count), MarchMethod::Pyramid, {},
                                                without == 0 ? -1.0f : static_cast<float>(without));
@@ -144,7 +145,7 @@ class GpuAnalysisKernels::Impl::Marcher : public RayMarcher {
         };
         const auto onCpu = [&] {
             if (!cpu_) cpu_ = core::cpuAnalysisKernels().rayMarcher(layers_);
-            return cpu_->march(rays, without, part);
+            return cpu_->march(rays, without, progress);
         };
         return impl_->attempt("ray march", onDevice, onCpu);
     }
@@ -168,10 +169,10 @@ std::unique_ptr<core::AnalysisKernels::DepthFilter> GpuAnalysisKernels::depthFil
 }
 
 void GpuAnalysisKernels::computeSurface(const core::analysis::SurfaceInput& input, core::Surface& surface,
-                                        const core::StepPart& part) {
+                                        const core::Progress& progress) {
     impl_->attempt(
-        "fit of the surface", [&] { impl_->surface.get().run(input, surface, impl_->slices, part); },
-        [&] { core::analysis::computeSurface(input, surface, part); });
+        "fit of the surface", [&] { impl_->surface.get().run(input, surface, impl_->slices, progress); },
+        [&] { core::analysis::computeSurface(input, surface, progress); });
 }
 
 std::unique_ptr<core::AnalysisKernels::RayMarcher> GpuAnalysisKernels::rayMarcher(const core::DepthLayers& layers) {
@@ -179,17 +180,17 @@ std::unique_ptr<core::AnalysisKernels::RayMarcher> GpuAnalysisKernels::rayMarche
 }
 
 void GpuAnalysisKernels::relaxMembrane(const core::ImageF& coverage, std::span<const core::analysis::MembraneRow> rows,
-                                       core::ImageRgb& values, const core::StepPart& part) {
+                                       core::ImageRgb& values, const core::Progress& progress) {
     impl_->attempt(
-        "filling of directions", [&] { impl_->membrane.get().run(coverage, rows, values, impl_->slices, part); },
-        [&] { core::analysis::relaxMembrane(coverage, rows, values, part); });
+        "filling of directions", [&] { impl_->membrane.get().run(coverage, rows, values, impl_->slices, progress); },
+        [&] { core::analysis::relaxMembrane(coverage, rows, values, progress); });
 }
 
 void GpuAnalysisKernels::fillShepard(const core::analysis::DirectionTree& tree, core::DirectionalMap& map,
-                                     const core::StepPart& part) {
+                                     const core::Progress& progress) {
     impl_->attempt(
-        "filling of directions", [&] { impl_->shepard.get().run(tree, map, impl_->slices, part); },
-        [&] { core::analysis::fillShepard(tree, map, part); });
+        "filling of directions", [&] { impl_->shepard.get().run(tree, map, impl_->slices, progress); },
+        [&] { core::analysis::fillShepard(tree, map, progress); });
 }
 
 std::vector<std::string> GpuAnalysisKernels::takeNotes() { return std::exchange(impl_->notes, {}); }

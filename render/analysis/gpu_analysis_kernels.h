@@ -25,12 +25,12 @@ class GpuAnalysisKernels : public core::AnalysisKernels {
     [[nodiscard]] std::unique_ptr<DepthFilter> depthFilter(const core::Image<std::uint32_t>& color,
                                                            const core::LabelImage& labels) override;
     void computeSurface(const core::analysis::SurfaceInput& input, core::Surface& surface,
-                        const core::StepPart& part) override;
+                        const core::Progress& progress) override;
     [[nodiscard]] std::unique_ptr<RayMarcher> rayMarcher(const core::DepthLayers& layers) override;
     void relaxMembrane(const core::ImageF& coverage, std::span<const core::analysis::MembraneRow> rows,
-                       core::ImageRgb& values, const core::StepPart& part) override;
+                       core::ImageRgb& values, const core::Progress& progress) override;
     void fillShepard(const core::analysis::DirectionTree& tree, core::DirectionalMap& map,
-                     const core::StepPart& part) override;
+                     const core::Progress& progress) override;
     [[nodiscard]] std::vector<std::string> takeNotes() override;
 
   private:

@@ -97,7 +97,7 @@ DepthFilterPass::Images DepthFilterPass::upload(const core::Image<std::uint32_t>
 
 core::ImageF DepthFilterPass::run(const Images& images, const core::analysis::FilterPass& pass,
                                   const core::ImageF& inverseDepth, SliceRunner& slices,
-                                  const core::StepPart& part) const {
+                                  const core::Progress& progress) const {
     static_assert(std::tuple_size_v<decltype(pass.pairs)> == DEPTH_FILTER_PAIRS);
     static_assert(core::analysis::NoiseCurve::kCells == DEPTH_FILTER_CELLS);
     std::vector<float> parameters;
@@ -118,20 +118,21 @@ core::ImageF DepthFilterPass::run(const Images& images, const core::analysis::Fi
                      {.binding = DEPTH_FILTER_PARAMETERS,
                       .buffer = makeBuffer(device_, "filter parameters", gpu::BufferUsage::Storage, parameters)},
                      {.binding = DEPTH_FILTER_RESULT, .buffer = resultSlice}}});
-    slices.run(part, "depth_filter", result.size(), kLeastPixels, most, [&](std::uint64_t first, std::uint64_t count) {
-        const kernel::DepthFilterBlock block{.width = static_cast<kernel::uint>(result.width()),
-                                             .height = static_cast<kernel::uint>(result.height()),
-                                             .first = static_cast<kernel::uint>(first),
-                                             .count = static_cast<kernel::uint>(count),
-                                             .curveFirst = pass.range.first,
-                                             .cellsPerUnit = pass.range.cellsPerUnit,
-                                             .colorFactor = pass.colorFactor,
-                                             .pad0 = 0};
-        slices.submit("depth_filter", [&](const gpu::CommandEncoder& encoder) {
-            recordSlice(encoder, device_, "depth_filter", pipeline_, group, block);
-        });
-        gpu::readBufferBytes(device_, resultSlice, 0, result.data() + first, count * sizeof(float));
-    });
+    slices.run(progress, "depth_filter", result.size(), kLeastPixels, most,
+               [&](std::uint64_t first, std::uint64_t count) {
+                   const kernel::DepthFilterBlock block{.width = static_cast<kernel::uint>(result.width()),
+                                                        .height = static_cast<kernel::uint>(result.height()),
+                                                        .first = static_cast<kernel::uint>(first),
+                                                        .count = static_cast<kernel::uint>(count),
+                                                        .curveFirst = pass.range.first,
+                                                        .cellsPerUnit = pass.range.cellsPerUnit,
+                                                        .colorFactor = pass.colorFactor,
+                                                        .pad0 = 0};
+                   slices.submit("depth_filter", [&](const gpu::CommandEncoder& encoder) {
+                       recordSlice(encoder, device_, "depth_filter", pipeline_, group, block);
+                   });
+                   gpu::readBufferBytes(device_, resultSlice, 0, result.data() + first, count * sizeof(float));
+               });
     return result;
 }
 
@@ -146,7 +147,7 @@ FitSurfacePass::FitSurfacePass(const gpu::Device& device) : device_(device) {
 }
 
 void FitSurfacePass::run(const core::analysis::SurfaceInput& input, core::Surface& surface, SliceRunner& slices,
-                         const core::StepPart& part) const {
+                         const core::Progress& progress) const {
     constexpr std::uint64_t kValues = 7;
     const core::Camera& camera = input.camera;
     const core::ImageF inverseDepth = core::analysis::inverseOf(surface.depth);
@@ -171,29 +172,30 @@ void FitSurfacePass::run(const core::analysis::SurfaceInput& input, core::Surfac
     surface.position = surface.normal;
     surface.area = core::ImageF(surface.depth.width(), surface.depth.height());
     std::vector<float> values;
-    slices.run(
-        part, "fit_surface", surface.depth.size(), kLeastPixels, most, [&](std::uint64_t first, std::uint64_t count) {
-            const kernel::FitSurfaceBlock block{.camera = {camera.fx, camera.fy, camera.cx, camera.cy},
-                                                .width = static_cast<kernel::uint>(surface.depth.width()),
-                                                .height = static_cast<kernel::uint>(surface.depth.height()),
-                                                .first = static_cast<kernel::uint>(first),
-                                                .count = static_cast<kernel::uint>(count),
-                                                .tapCount = static_cast<kernel::uint>(taps.size() / 4),
-                                                .hasKnown = input.known != nullptr ? 1u : 0u,
-                                                .relativeNoise = input.relativeNoise,
-                                                .sign = input.side == core::analysis::Side::Front ? -1.0f : 1.0f};
-            slices.submit("fit_surface", [&](const gpu::CommandEncoder& encoder) {
-                recordSlice(encoder, device_, "fit_surface", pipeline_, group, block);
-            });
-            values.resize(count * kValues);
-            gpu::readBufferBytes(device_, resultSlice, 0, values.data(), values.size() * sizeof(float));
-            for (std::uint64_t i = 0; i < count; ++i) {
-                const float* value = &values[i * kValues];
-                surface.normal[first + i] = {value[0], value[1], value[2]};
-                surface.position[first + i] = {value[3], value[4], value[5]};
-                surface.area[first + i] = value[6];
-            }
-        });
+    slices.run(progress, "fit_surface", surface.depth.size(), kLeastPixels, most,
+               [&](std::uint64_t first, std::uint64_t count) {
+                   const kernel::FitSurfaceBlock block{
+                       .camera = {camera.fx, camera.fy, camera.cx, camera.cy},
+                       .width = static_cast<kernel::uint>(surface.depth.width()),
+                       .height = static_cast<kernel::uint>(surface.depth.height()),
+                       .first = static_cast<kernel::uint>(first),
+                       .count = static_cast<kernel::uint>(count),
+                       .tapCount = static_cast<kernel::uint>(taps.size() / 4),
+                       .hasKnown = input.known != nullptr ? 1u : 0u,
+                       .relativeNoise = input.relativeNoise,
+                       .sign = input.side == core::analysis::Side::Front ? -1.0f : 1.0f};
+                   slices.submit("fit_surface", [&](const gpu::CommandEncoder& encoder) {
+                       recordSlice(encoder, device_, "fit_surface", pipeline_, group, block);
+                   });
+                   values.resize(count * kValues);
+                   gpu::readBufferBytes(device_, resultSlice, 0, values.data(), values.size() * sizeof(float));
+                   for (std::uint64_t i = 0; i < count; ++i) {
+                       const float* value = &values[i * kValues];
+                       surface.normal[first + i] = {value[0], value[1], value[2]};
+                       surface.position[first + i] = {value[3], value[4], value[5]};
+                       surface.area[first + i] = value[6];
+                   }
+               });
 }
 
 RelaxMembranePass::RelaxMembranePass(const gpu::Device& device) : device_(device) {
@@ -204,7 +206,7 @@ RelaxMembranePass::RelaxMembranePass(const gpu::Device& device) : device_(device
 }
 
 void RelaxMembranePass::run(const core::ImageF& coverage, std::span<const core::analysis::MembraneRow> rows,
-                            core::ImageRgb& values, SliceRunner& slices, const core::StepPart& part) const {
+                            core::ImageRgb& values, SliceRunner& slices, const core::Progress& progress) const {
     std::vector<kernel::vec4> packed(values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
         packed[i] = {values[i].x(), values[i].y(), values[i].z(), coverage[i] > 0 ? 1.0f : 0.0f};
@@ -222,7 +224,7 @@ void RelaxMembranePass::run(const core::ImageF& coverage, std::span<const core::
     const std::uint64_t texels = values.size();
     const auto sweeps = static_cast<std::uint64_t>(core::analysis::kMembraneSweeps);
     std::uint64_t done = 0;
-    slices.run(part, "relax_membrane", texels * sweeps, texels, texels * sweeps,
+    slices.run(progress, "relax_membrane", texels * sweeps, texels, texels * sweeps,
                [&](std::uint64_t first, std::uint64_t count) {
                    const std::uint64_t last = (first + count + texels - 1) / texels;
                    slices.submit("relax_membrane", [&](const gpu::CommandEncoder& encoder) {
@@ -258,7 +260,7 @@ FillShepardPass::FillShepardPass(const gpu::Device& device) : device_(device) {
 }
 
 void FillShepardPass::run(const core::analysis::DirectionTree& tree, core::DirectionalMap& map, SliceRunner& slices,
-                          const core::StepPart& part) const {
+                          const core::Progress& progress) const {
     std::vector<kernel::uvec4> levels;
     std::vector<kernel::vec4> nodes;
     for (const core::Image<core::analysis::DirectionNode>& level : tree.levels()) {
@@ -300,22 +302,23 @@ void FillShepardPass::run(const core::analysis::DirectionTree& tree, core::Direc
               .buffer = uploadBytes(device_, "directions", targets.data(), targets.size() * sizeof(kernel::vec4))},
              {.binding = FILL_SHEPARD_RESULT, .buffer = resultSlice}}});
     constexpr std::uint64_t kLeastTexels = 512;
-    slices.run(part, "fill_shepard", texels.size(), kLeastTexels, most, [&](std::uint64_t first, std::uint64_t count) {
-        const kernel::FillShepardBlock block{.levelCount = static_cast<kernel::uint>(levels.size()),
-                                             .first = static_cast<kernel::uint>(first),
-                                             .count = static_cast<kernel::uint>(count),
-                                             .opening = core::analysis::DirectionTree::kOpening,
-                                             .leastCube = core::analysis::DirectionTree::kLeastCube,
-                                             .pad0 = 0,
-                                             .pad1 = 0,
-                                             .pad2 = 0};
-        slices.submit("fill_shepard", [&](const gpu::CommandEncoder& encoder) {
-            recordSlice(encoder, device_, "fill_shepard", pipeline_, group, block);
-        });
-        const auto values = gpu::readBuffer<kernel::vec4>(device_, resultSlice, 0, count);
-        for (std::uint64_t i = 0; i < count; ++i)
-            map.radiance[texels[first + i]] = {values[i].x, values[i].y, values[i].z};
-    });
+    slices.run(progress, "fill_shepard", texels.size(), kLeastTexels, most,
+               [&](std::uint64_t first, std::uint64_t count) {
+                   const kernel::FillShepardBlock block{.levelCount = static_cast<kernel::uint>(levels.size()),
+                                                        .first = static_cast<kernel::uint>(first),
+                                                        .count = static_cast<kernel::uint>(count),
+                                                        .opening = core::analysis::DirectionTree::kOpening,
+                                                        .leastCube = core::analysis::DirectionTree::kLeastCube,
+                                                        .pad0 = 0,
+                                                        .pad1 = 0,
+                                                        .pad2 = 0};
+                   slices.submit("fill_shepard", [&](const gpu::CommandEncoder& encoder) {
+                       recordSlice(encoder, device_, "fill_shepard", pipeline_, group, block);
+                   });
+                   const auto values = gpu::readBuffer<kernel::vec4>(device_, resultSlice, 0, count);
+                   for (std::uint64_t i = 0; i < count; ++i)
+                       map.radiance[texels[first + i]] = {values[i].x, values[i].y, values[i].z};
+               });
 }
 
 }  // namespace render

@@ -26,7 +26,7 @@ class DepthFilterPass {
     [[nodiscard]] Images upload(const core::Image<std::uint32_t>& color, const core::LabelImage& labels) const;
     [[nodiscard]] core::ImageF run(const Images& images, const core::analysis::FilterPass& pass,
                                    const core::ImageF& inverseDepth, SliceRunner& slices,
-                                   const core::StepPart& part) const;
+                                   const core::Progress& progress) const;
 
   private:
     gpu::Device device_;
@@ -38,7 +38,7 @@ class FitSurfacePass {
   public:
     explicit FitSurfacePass(const gpu::Device& device);
     void run(const core::analysis::SurfaceInput& input, core::Surface& surface, SliceRunner& slices,
-             const core::StepPart& part) const;
+             const core::Progress& progress) const;
 
   private:
     gpu::Device device_;
@@ -50,7 +50,7 @@ class RelaxMembranePass {
   public:
     explicit RelaxMembranePass(const gpu::Device& device);
     void run(const core::ImageF& coverage, std::span<const core::analysis::MembraneRow> rows, core::ImageRgb& values,
-             SliceRunner& slices, const core::StepPart& part) const;
+             SliceRunner& slices, const core::Progress& progress) const;
 
   private:
     gpu::Device device_;
@@ -62,7 +62,7 @@ class FillShepardPass {
   public:
     explicit FillShepardPass(const gpu::Device& device);
     void run(const core::analysis::DirectionTree& tree, core::DirectionalMap& map, SliceRunner& slices,
-             const core::StepPart& part) const;
+             const core::Progress& progress) const;
 
   private:
     gpu::Device device_;

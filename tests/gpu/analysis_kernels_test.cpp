@@ -18,19 +18,12 @@ namespace {
 
 using core::AnalysisKernels;
 using core::ImageF;
-using core::StepContext;
 using core::Vector3f;
 using render::GpuAnalysisKernels;
 using testing_support::AnalyticScene;
 
 /// A device that a test may destroy.
 gpu::Device ownDevice() { return gpu::Instance::create().requestAdapter().requestDevice({.label = "analysis test"}); }
-
-const StepContext& noContext() {
-    static const StepContext context;
-    return context;
-}
-core::StepPart part(const StepContext& context = noContext()) { return {context, "test"}; }
 
 struct Picture {
     core::Camera camera;
@@ -87,14 +80,14 @@ TEST(AnalysisKernels, FilterDepthLikeTheCpu) {
     GpuAnalysisKernels kernels(testing_support::device());
     for (const auto& [width, height] : kSizes) {
         const Picture picture = makePicture(width, height, 0.01f, 5);
-        const auto color = core::analysis::encodeColor(picture.color, part());
+        const auto color = core::analysis::encodeColor(picture.color, core::Progress());
         const ImageF w = core::analysis::inverseOf(picture.depth);
         const auto filter = kernels.depthFilter(color, picture.labels);
         double changed = 0;
         for (const int step : {1, 4}) {
             const core::analysis::FilterPass pass = makeFilterPass(step);
-            const ImageF expected = core::analysis::runFilterPass(pass, w, color, picture.labels, part());
-            const ImageF actual = filter->run(pass, w, part());
+            const ImageF expected = core::analysis::runFilterPass(pass, w, color, picture.labels, core::Progress());
+            const ImageF actual = filter->run(pass, w, core::Progress());
             for (std::size_t i = 0; i < w.size(); ++i) {
                 // Sums of 12 pairs of floats, in any order and fused: some units in the last place of w.
                 ASSERT_NEAR(actual[i], expected[i], 3e-6f * w[i]) << width << "x" << height << " pixel " << i;
@@ -130,8 +123,8 @@ TEST(AnalysisKernels, FitSurfacesLikeTheCpu) {
                 core::Surface expected;
                 core::Surface actual;
                 expected.depth = actual.depth = picture.depth;
-                core::analysis::computeSurface(input, expected, part());
-                kernels.computeSurface(input, actual, part());
+                core::analysis::computeSurface(input, expected, core::Progress());
+                kernels.computeSurface(input, actual, core::Progress());
                 for (std::size_t i = 0; i < picture.depth.size(); ++i) {
                     const float z = picture.depth[i];
                     // A position is two products and two quotients: 4 units in the last place.
@@ -176,8 +169,8 @@ TEST(AnalysisKernels, MarchLikeTheCpu) {
         const auto marcher = kernels.rayMarcher(layers);
         const auto oracle = core::cpuAnalysisKernels().rayMarcher(layers);
         for (const std::uint16_t without : {std::uint16_t{0}, std::uint16_t{1}, std::uint16_t{5}}) {
-            const auto actual = marcher->march(rays, without, part());
-            const auto expected = oracle->march(rays, without, part());
+            const auto actual = marcher->march(rays, without, core::Progress());
+            const auto expected = oracle->march(rays, without, core::Progress());
             ASSERT_EQ(actual.size(), rays.size());
             std::size_t agreed = 0;
             std::size_t hits = 0;
@@ -232,8 +225,8 @@ TEST(AnalysisKernels, FillDirectionsLikeTheCpu) {
         core::DirectionalMap expected = map;
         core::DirectionalMap actual = map;
         const core::analysis::DirectionTree tree(map);
-        core::analysis::fillShepard(tree, expected, part());
-        kernels.fillShepard(tree, actual, part());
+        core::analysis::fillShepard(tree, expected, core::Progress());
+        kernels.fillShepard(tree, actual, core::Progress());
         std::size_t different = 0;
         for (std::size_t i = 0; i < map.radiance.size(); ++i) {
             // Thousands of weights that fall with the cube of an angle: 1e-4. Where a group is at the limit of being
@@ -250,8 +243,8 @@ TEST(AnalysisKernels, FillDirectionsLikeTheCpu) {
             const auto rows = core::analysis::membraneRows(height, screen);
             core::ImageRgb expectedValues = map.radiance;
             core::ImageRgb actualValues = map.radiance;
-            core::analysis::relaxMembrane(map.coverage, rows, expectedValues, part());
-            kernels.relaxMembrane(map.coverage, rows, actualValues, part());
+            core::analysis::relaxMembrane(map.coverage, rows, expectedValues, core::Progress());
+            kernels.relaxMembrane(map.coverage, rows, actualValues, core::Progress());
             for (std::size_t i = 0; i < map.radiance.size(); ++i)
                 // 60 sweeps that average: rounding does not build up.
                 ASSERT_LE((actualValues[i] - expectedValues[i]).norm(), 1e-5f * scale)
@@ -290,7 +283,7 @@ TEST(AnalysisKernels, AnalyseTheSampleLikeTheCpu) {
         const core::Scene scene = noisy ? withNoise(bundledSample()) : bundledSample();
         GpuAnalysisKernels kernels(testing_support::device());
         const auto expected = core::AnalysisPipeline().run(scene);
-        const auto actual = core::AnalysisPipeline().run(scene, StepContext({}, nullptr, &kernels));
+        const auto actual = core::AnalysisPipeline().run(scene, {}, kernels);
         EXPECT_TRUE(kernels.takeNotes().empty());
 
         std::size_t pixels = 0;
@@ -326,7 +319,7 @@ TEST(AnalysisKernels, RepeatToTheByte) {
     const core::Scene scene = withNoise(smallScene());
     const auto analyse = [&] {
         GpuAnalysisKernels kernels(testing_support::device());
-        return core::AnalysisPipeline().run(scene, StepContext({}, nullptr, &kernels));
+        return core::AnalysisPipeline().run(scene, {}, kernels);
     };
     const auto first = analyse();
     const auto second = analyse();
@@ -342,14 +335,14 @@ template <class Work>
 void expectStops(const char* what, const Work& work) {
     std::atomic<bool> cancel{false};
     std::atomic<int> reports{0};
-    const StepContext context(
-        [&](std::string_view, float) {
+    const core::Progress progress(
+        [&](core::Task, float) {
             cancel = true;
             ++reports;
         },
         &cancel);
     try {
-        work(part(context));
+        work(progress);
         ADD_FAILURE() << what << " was not cancelled";
     } catch (const core::Error& error) {
         EXPECT_EQ(error.kind(), core::ErrorKind::Cancelled) << error.what();
@@ -360,26 +353,26 @@ void expectStops(const char* what, const Work& work) {
 TEST(AnalysisKernels, StopBetweenSlices) {
     GpuAnalysisKernels kernels(testing_support::device());
     const Picture picture = makePicture(200, 150, 0.01f, 5);
-    const auto color = core::analysis::encodeColor(picture.color, part());
-    expectStops("depth filter", [&](const core::StepPart& stopped) {
+    const auto color = core::analysis::encodeColor(picture.color, core::Progress());
+    expectStops("depth filter", [&](const core::Progress& stopped) {
         (void)kernels.depthFilter(color, picture.labels)
             ->run(makeFilterPass(1), core::analysis::inverseOf(picture.depth), stopped);
     });
-    expectStops("surface", [&](const core::StepPart& stopped) {
+    expectStops("surface", [&](const core::Progress& stopped) {
         core::Surface surface;
         surface.depth = picture.depth;
         kernels.computeSurface({picture.camera, picture.labels}, surface, stopped);
     });
     const core::DepthLayers layers = testing_support::makeRandomScene(100, 80, 3).layers();
-    expectStops("march", [&](const core::StepPart& stopped) {
+    expectStops("march", [&](const core::Progress& stopped) {
         const std::vector<core::MarchRay> rays(20000, {{0, 0, 1}, {0, 1, 0}});
         (void)kernels.rayMarcher(layers)->march(rays, 0, stopped);
     });
     core::DirectionalMap map = partlyKnown(64);
-    expectStops("Shepard", [&](const core::StepPart& stopped) {
+    expectStops("Shepard", [&](const core::Progress& stopped) {
         kernels.fillShepard(core::analysis::DirectionTree(map), map, stopped);
     });
-    expectStops("membrane", [&](const core::StepPart& stopped) {
+    expectStops("membrane", [&](const core::Progress& stopped) {
         kernels.relaxMembrane(map.coverage, core::analysis::membraneRows(64, 0), map.radiance, stopped);
     });
     EXPECT_TRUE(kernels.takeNotes().empty());
@@ -387,24 +380,25 @@ TEST(AnalysisKernels, StopBetweenSlices) {
 
 TEST(AnalysisKernels, AStoppedAnalysisCanBeTakenUpAgain) {
     const core::Scene scene = smallScene();
-    for (const std::string stop : {"Surface", "Back side", "Reflectance", "Environment"}) {
+    for (const core::Task stop : {core::Task::ComputeNormals, core::Task::InventBackSides,
+                                  core::Task::EstimateReflectance, core::Task::RecoverEnvironment}) {
         GpuAnalysisKernels kernels(testing_support::device());
         std::atomic<bool> cancel{false};
-        const StepContext context(
-            [&](std::string_view step, float fraction) {
-                if (step == stop && fraction > 0) cancel = true;
+        const core::Progress progress(
+            [&](core::Task task, float fraction) {
+                if (task == stop && fraction > 0) cancel = true;
             },
-            &cancel, &kernels);
+            &cancel);
         core::AnalysisPipeline pipeline;
         try {
-            (void)pipeline.run(scene, context);
-            ADD_FAILURE() << "not cancelled in " << stop;
+            (void)pipeline.run(scene, progress, kernels);
+            ADD_FAILURE() << "not cancelled in " << static_cast<int>(stop);
         } catch (const core::Error& error) {
             EXPECT_EQ(error.kind(), core::ErrorKind::Cancelled) << error.what();
         }
         EXPECT_FALSE(pipeline.runCounts().contains(stop));
-        EXPECT_NE(pipeline.run(scene, StepContext({}, nullptr, &kernels))->environment, nullptr);
-        EXPECT_EQ(pipeline.runCounts().at("Filter depth"), 1) << "what was finished is kept";
+        EXPECT_NE(pipeline.run(scene, {}, kernels)->environment, nullptr);
+        EXPECT_EQ(pipeline.runCounts().at(core::Task::RecoverDepth), 1) << "what was finished is kept";
         EXPECT_TRUE(kernels.takeNotes().empty());
     }
 }
@@ -412,21 +406,21 @@ TEST(AnalysisKernels, AStoppedAnalysisCanBeTakenUpAgain) {
 TEST(AnalysisKernels, GoOnOnTheCpuWhenTheDeviceIsGone) {
     const core::Scene scene = smallScene();
     const auto expected = core::AnalysisPipeline().run(scene);
-    for (const std::string lostIn : {"Surface", "Reflectance"}) {
+    for (const core::Task lostIn : {core::Task::ComputeNormals, core::Task::EstimateReflectance}) {
         const gpu::Device device = ownDevice();
         GpuAnalysisKernels kernels(device);
         bool destroyed = false;
-        const StepContext context(
-            [&](std::string_view step, float) {
-                if (step == lostIn && !std::exchange(destroyed, true)) device.destroy();
+        const core::Progress progress(
+            [&](core::Task task, float) {
+                if (task == lostIn && !std::exchange(destroyed, true)) device.destroy();
             },
-            nullptr, &kernels);
-        const auto actual = core::AnalysisPipeline().run(scene, context);
+            nullptr);
+        const auto actual = core::AnalysisPipeline().run(scene, progress, kernels);
         const auto notes = kernels.takeNotes();
         ASSERT_EQ(notes.size(), 1u);
         EXPECT_NE(notes[0].find("on the CPU"), std::string::npos) << notes[0];
         EXPECT_TRUE(kernels.takeNotes().empty());
-        if (lostIn == "Surface") {
+        if (lostIn == core::Task::ComputeNormals) {
             EXPECT_EQ(actual->environment->radiance, expected->environment->radiance);
         }
     }

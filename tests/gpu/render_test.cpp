@@ -632,7 +632,7 @@ TEST(Renderer, CanBeCancelled) {
     const AnalyticScene source = stillLife();
     const core::Scene scene = edited(source, 2, ggx(0.2f), 100000);
     const std::atomic<bool> cancel = true;
-    EXPECT_THROW((void)render::renderImage(device(), scene, source.analysis(), core::StepContext({}, &cancel)),
+    EXPECT_THROW((void)render::renderImage(device(), scene, source.analysis(), core::Progress({}, &cancel)),
                  core::Error);
 }
 

@@ -14,19 +14,19 @@ namespace {
 
 TEST(BackgroundTask, ReportsOnTheThreadThatMadeIt) {
     QThread* finishedOn = nullptr;
-    ui::BackgroundTask task([](const core::StepContext& context) { context.checkpoint("step", 0.5f); });
+    ui::BackgroundTask task([](const core::Progress& progress) { progress.checkpoint(0.5f); });
     QSignalSpy progress(&task, &ui::BackgroundTask::progress);
     QObject::connect(&task, &ui::BackgroundTask::succeeded, &task, [&] { finishedOn = QThread::currentThread(); });
     task.start();
     ASSERT_TRUE(test::waitUntil([&] { return finishedOn != nullptr; }, 5000));
     EXPECT_EQ(finishedOn, QThread::currentThread());
     ASSERT_EQ(progress.size(), 1);
-    EXPECT_EQ(progress[0][0].toString(), "step");
+    EXPECT_EQ(progress[0][0].toString(), "Working");
 }
 
 TEST(BackgroundTask, AnErrorIsASentenceAndNotAnEnd) {
     ui::BackgroundTask task(
-        [](const core::StepContext&) { throw core::Error(core::ErrorKind::Input, "The file is broken."); });
+        [](const core::Progress&) { throw core::Error(core::ErrorKind::Input, "The file is broken."); });
     QSignalSpy failed(&task, &ui::BackgroundTask::failed);
     QSignalSpy succeeded(&task, &ui::BackgroundTask::succeeded);
     task.start();
@@ -36,8 +36,8 @@ TEST(BackgroundTask, AnErrorIsASentenceAndNotAnEnd) {
 }
 
 TEST(BackgroundTask, CancelEndsEndlessWork) {
-    ui::BackgroundTask task([](const core::StepContext& context) {
-        for (;;) context.checkpoint("endless", 0);
+    ui::BackgroundTask task([](const core::Progress& progress) {
+        for (;;) progress.checkpoint(0);
     });
     QSignalSpy cancelled(&task, &ui::BackgroundTask::cancelled);
     task.start();
@@ -46,8 +46,8 @@ TEST(BackgroundTask, CancelEndsEndlessWork) {
 }
 
 TEST(BackgroundTask, DestructionStopsTheWork) {
-    auto task = std::make_unique<ui::BackgroundTask>([](const core::StepContext& context) {
-        for (;;) context.checkpoint("endless", 0);
+    auto task = std::make_unique<ui::BackgroundTask>([](const core::Progress& progress) {
+        for (;;) progress.checkpoint(0);
     });
     task->start();
     task.reset();

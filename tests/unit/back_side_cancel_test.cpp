@@ -13,8 +13,6 @@
 
 namespace {
 
-using core::StepContext;
-
 TEST(BackSideCancel, StopsAtTheNextCheckpointAndLeavesTheOldBack) {
     const core::Scene scene = test::stillLife(test::testCamera(240, 180)).scene();
     core::analysis::Board board;
@@ -23,7 +21,7 @@ TEST(BackSideCancel, StopsAtTheNextCheckpointAndLeavesTheOldBack) {
     core::analysis::surfaceStep().run(board, {});
     const core::analysis::Step step = core::analysis::backSideStep();
     std::atomic<int> checkpoints = 0;
-    step.run(board, StepContext([&](std::string_view, float) { ++checkpoints; }));
+    step.run(board, {core::Progress([&](core::Task, float) { ++checkpoints; })});
     const auto before = board.back;
     const core::ImageF depth = before->surface.depth;
     const int all = checkpoints;
@@ -32,13 +30,13 @@ TEST(BackSideCancel, StopsAtTheNextCheckpointAndLeavesTheOldBack) {
     for (const int stop : {1, all / 4, all / 2, all - 1}) {
         std::atomic<bool> cancel = false;
         checkpoints = 0;
-        const StepContext context(
-            [&](std::string_view, float) {
+        const core::Progress progress(
+            [&](core::Task, float) {
                 if (++checkpoints >= stop) cancel = true;
             },
             &cancel);
         try {
-            step.run(board, context);
+            step.run(board, {progress});
             FAIL() << "stopped at checkpoint " << stop << " of " << all;
         } catch (const core::Error& error) {
             EXPECT_EQ(error.kind(), core::ErrorKind::Cancelled);

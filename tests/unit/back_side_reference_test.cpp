@@ -56,7 +56,7 @@ TEST_P(BackSideReference, AutomaticIsNearTheBestMethod) {
     core::Surface front;
     front.depth = depth;
     front.color = core::ImageRgb(depth.width(), depth.height());
-    core::analysis::computeSurface({camera, labels}, front, {{}, "Surface"});
+    core::analysis::computeSurface({camera, labels}, front, {});
 
     std::vector<core::Segment> segments;
     for (const auto& entry : json["segments"]) {

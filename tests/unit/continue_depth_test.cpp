@@ -34,7 +34,7 @@ struct GappedScene {
         for (int y = 0; y < kGappedHeight; ++y)
             for (int x = first; x < kGappedWidth - 10; ++x) gaps.isGap(x, y) = 1, depth(x, y) = 0;
     }
-    void run() { core::analysis::continueDepth(depth, labels, camera, gaps, {{}, "test"}); }
+    void run() { core::analysis::continueDepth(depth, labels, camera, gaps, {}); }
     [[nodiscard]] float worst() const {
         float result = 0;
         for (std::size_t i = 0; i < depth.size(); ++i)

@@ -102,7 +102,7 @@ TEST(FillDirections, KeepsWhatIsKnownAndCoverage) {
         map.coverage(x, 8) = 0;
         map.radiance(x, 8).setZero();
     }
-    core::analysis::fillDirections(map, core::EnvironmentFill::Shepard, Vector3f(9, 9, 9), "test", {});
+    core::analysis::fillDirections(map, core::EnvironmentFill::Shepard, Vector3f(9, 9, 9), {});
     for (int y = 0; y < 16; ++y) {
         for (int x = 0; x < 32; ++x) {
             if (y == 8 && x % 2 == 0) {
@@ -123,7 +123,7 @@ TEST(FillDirections, AgreesWithAllPairsSummation) {
         mapOf(height, [&](const Vector3f& d) { return Vector3f(1 + d.x(), 1 + 0.5f * d.z(), value(random)); });
     for (std::size_t i = 0; i < map.coverage.size(); ++i) map.coverage[i] = value(random) < 0.15f ? 3.0f : 0.0f;
     DirectionalMap filled = map;
-    core::analysis::fillDirections(filled, core::EnvironmentFill::Shepard, Vector3f::Zero(), "test", {});
+    core::analysis::fillDirections(filled, core::EnvironmentFill::Shepard, Vector3f::Zero(), {});
     double squares = 0;
     int count = 0;
     for (int y = 0; y < height; ++y) {
@@ -160,7 +160,7 @@ TEST(FillDirections, SphereHasNoSeamAndNoPoles) {
     map.coverage(0, height / 2) = 1;
     map.radiance(height, height / 2) = Vector3f(0, 1, 0);
     map.coverage(height, height / 2) = 1;
-    core::analysis::fillDirections(map, core::EnvironmentFill::Shepard, Vector3f::Zero(), "test", {});
+    core::analysis::fillDirections(map, core::EnvironmentFill::Shepard, Vector3f::Zero(), {});
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < 2 * height; ++x) {
             if (map.coverage(x, y) > 0) continue;
@@ -177,7 +177,7 @@ TEST(FillDirections, SphereHasNoSeamAndNoPoles) {
 
 TEST(FillDirections, NothingKnownGivesTheFallback) {
     DirectionalMap map{core::ImageRgb(16, 8), core::ImageF(16, 8)};
-    core::analysis::fillDirections(map, core::EnvironmentFill::Shepard, Vector3f(1, 2, 3), "test", {});
+    core::analysis::fillDirections(map, core::EnvironmentFill::Shepard, Vector3f(1, 2, 3), {});
     for (const Vector3f& c : map.radiance.pixels()) EXPECT_EQ(c, Vector3f(1, 2, 3));
     EXPECT_FLOAT_EQ(map.mean().y(), 2);
 }
@@ -194,7 +194,7 @@ TEST(FillMembrane, SolvesLaplacesEquationOnTheSphere) {
             map.coverage(x, y) = 0;
             map.radiance(x, y).setZero();
         }
-    core::analysis::fillDirections(map, core::EnvironmentFill::Membrane, Vector3f::Zero(), "test", {});
+    core::analysis::fillDirections(map, core::EnvironmentFill::Membrane, Vector3f::Zero(), {});
     for (int y = 12; y < 52; ++y)
         for (int x = 0; x < 128; x += 5) {
             const Vector3f expected = truth(texelDirection(x, y, 128, 64));
@@ -208,8 +208,8 @@ TEST(FillMembrane, SunAtTheEdgeOfWhatWasSeenDoesNotSpread) {
         for (int x = 0; x < 128; ++x) map.coverage(x, y) = 0;
     map.radiance(40, 31) = Vector3f(5000, 5000, 5000);
     DirectionalMap shepard = map;
-    core::analysis::fillDirections(map, core::EnvironmentFill::Membrane, Vector3f::Zero(), "test", {});
-    core::analysis::fillDirections(shepard, core::EnvironmentFill::Shepard, Vector3f::Zero(), "test", {});
+    core::analysis::fillDirections(map, core::EnvironmentFill::Membrane, Vector3f::Zero(), {});
+    core::analysis::fillDirections(shepard, core::EnvironmentFill::Shepard, Vector3f::Zero(), {});
     double membraneSum = 0, shepardSum = 0, weight = 0;
     for (int y = 32; y < 64; ++y)
         for (int x = 0; x < 128; ++x) {
@@ -227,7 +227,7 @@ TEST(CompleteDirections, FadesFromWhatWasSeenToTheUsersMap) {
     for (int y = 32; y < 64; ++y)
         for (int x = 0; x < 128; ++x) map.coverage(x, y) = 0;
     const core::ImageRgb user(128, 64, Vector3f(3, 3, 3));
-    core::analysis::completeDirections(map, user, "test", {});
+    core::analysis::completeDirections(map, user, {});
     EXPECT_EQ(map.radiance(10, 31).x(), 1);
     EXPECT_NEAR(map.radiance(10, 32).x(), 3 - 2 * std::exp(-std::numbers::pi_v<float> / 64 / 0.06f), 0.1f);
     for (int y = 33; y < 64; ++y) EXPECT_GT(map.radiance(10, y).x(), map.radiance(10, y - 1).x() - 1e-4f);

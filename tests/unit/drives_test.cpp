@@ -70,7 +70,7 @@ std::shared_ptr<const core::ImageF> textureDetail(const test::AnalyticScene& s) 
     core::analysis::Board board;
     board.scene = &s.scene;
     board.front = s.analysis->front;
-    core::analysis::textureDetailStep().run(board, core::StepContext());
+    core::analysis::textureDetailStep().run(board, {});
     return board.textureDetail;
 }
 
@@ -411,8 +411,8 @@ TEST(TextureDetail, IsComputedWhenADriveAsksForIt) {
     EXPECT_EQ(pipeline.run(s.scene)->textureDetail, nullptr);
     const auto analysis = pipeline.run(driven);
     ASSERT_NE(analysis->textureDetail, nullptr);
-    EXPECT_EQ(pipeline.runCounts().at("Texture"), 2);
-    EXPECT_EQ(pipeline.runCounts().at("Environment"), 1);
+    EXPECT_EQ(pipeline.runCounts().at(core::Task::SeparateTexture), 2);
+    EXPECT_EQ(pipeline.runCounts().at(core::Task::RecoverEnvironment), 1);
     driven.findSegment(1)->edit->drives[0].strength = 0.5f;
     EXPECT_EQ(pipeline.run(driven)->textureDetail, analysis->textureDetail);
 }

@@ -25,7 +25,7 @@ float degreesBetween(const Vector3f& a, const Vector3f& b) {
 ImageV3 normalsOf(const core::Photo& photo, const ImageF& depth, Side side = Side::Front, float noise = 0) {
     core::Surface surface;
     surface.depth = depth;
-    core::analysis::computeSurface({photo.camera, photo.labels, side, noise}, surface, {{}, "test"});
+    core::analysis::computeSurface({photo.camera, photo.labels, side, noise}, surface, {});
     return surface.normal;
 }
 
@@ -56,7 +56,7 @@ double totalArea(const core::Surface& surface) {
 core::Surface surfaceOf(const core::Photo& photo) {
     core::Surface surface;
     surface.depth = photo.depth;
-    core::analysis::computeSurface({photo.camera, photo.labels}, surface, {{}, "test"});
+    core::analysis::computeSurface({photo.camera, photo.labels}, surface, {});
     return surface;
 }
 

@@ -45,7 +45,7 @@ struct ShadedBall {
     }
 
     [[nodiscard]] core::analysis::ShadingLight light() const {
-        return core::analysis::lightFromShading(photo, front, {}, "test", 0);
+        return core::analysis::lightFromShading(photo, front, {});
     }
 };
 

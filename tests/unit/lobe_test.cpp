@@ -241,7 +241,7 @@ TEST_F(Deconvolution, SharpensWhatTheLobeBlurred) {
     const LobeObservations seen = observe(0, 1e9f);
     DirectionalMap light = seen.map;
     light.clipped = {};
-    core::analysis::deconvolve(light, std::span(&seen, 1), "test", {}, 0, 1);
+    core::analysis::deconvolve(light, std::span(&seen, 1), {});
     EXPECT_LT(error(light, truth), 0.75 * error(seen.map, truth));
     for (const Vector3f& c : light.radiance.pixels()) EXPECT_GT(c.minCoeff(), 0);
 }
@@ -253,7 +253,7 @@ TEST_F(Deconvolution, ClippedLampGetsEnergyThatItsSurroundingsShow) {
     DirectionalMap light = seen.map;
     const double clipped = lampEnergy(light);
     ASSERT_LT(clipped, 0.5 * expected);
-    core::analysis::deconvolve(light, std::span(&seen, 1), "test", {}, 0, 1);
+    core::analysis::deconvolve(light, std::span(&seen, 1), {});
     // About half of what is missing: the tails also lie in what the surroundings seem to be.
     EXPECT_GT(lampEnergy(light), clipped + 0.4 * (expected - clipped));
     EXPECT_LT(lampEnergy(light), 1.1 * expected);
@@ -269,7 +269,7 @@ TEST_F(Deconvolution, FulfilledBoundsChangeNothing) {
     for (float& c : blurred.map.coverage.pixels()) c = 0;
     const std::vector<LobeObservations> sources{bound, blurred};
     DirectionalMap light = truth;
-    core::analysis::deconvolve(light, sources, "test", {}, 0, 1);
+    core::analysis::deconvolve(light, sources, {});
     for (std::size_t i = 0; i < light.radiance.size(); ++i)
         ASSERT_TRUE(light.radiance[i].isApprox(truth.radiance[i], 1e-4f));
 }

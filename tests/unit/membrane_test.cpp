@@ -19,7 +19,7 @@ core::Image<MembraneCell> heldOnBothSides() {
 
 TEST(Membrane, HangsBetweenWhatIsFixed) {
     core::Image<MembraneCell> cells = heldOnBothSides();
-    core::analysis::solveMembrane(cells, "Membrane", 0, {});
+    core::analysis::solveMembrane(cells, {});
     for (int y = 0; y < cells.height(); ++y)
         for (int x = 0; x < cells.width(); ++x)
             ASSERT_NEAR(cells(x, y).value, static_cast<float>(x) / 32, 0.03f) << x << ", " << y;
@@ -31,7 +31,7 @@ TEST(Membrane, IsHeldDownByABoundItWouldExceedAndByNoOther) {
         cells(16, y).most = 0.1f;
         cells(24, y).most = 0.9f;
     }
-    core::analysis::solveMembrane(cells, "Membrane", 0, {});
+    core::analysis::solveMembrane(cells, {});
     for (int y = 0; y < cells.height(); ++y) {
         for (int x = 0; x < cells.width(); ++x) {
             const auto u = static_cast<float>(x);

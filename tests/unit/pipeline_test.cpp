@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/pipeline.h"
-#include "core/scene/changes.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,7 @@
 #include <limits>
 #include <mutex>
 
+#include "core/scene/changes.h"
 #include "tests/support/ray_scene.h"
 
 namespace {
@@ -17,6 +17,7 @@ using core::Error;
 using core::ErrorKind;
 using core::Scene;
 using core::Stage;
+using core::Task;
 
 struct PipelineTest : testing::Test {
     PipelineTest() {
@@ -39,13 +40,13 @@ struct PipelineTest : testing::Test {
 
 TEST_F(PipelineTest, RunsEverythingOnceAndThenNothing) {
     const auto first = pipeline.run(scene);
-    EXPECT_EQ(newRuns(), (Runs{{"Filter depth", 1},
-                               {"Surface", 1},
-                               {"Back side", 1},
-                               {"Depth layers", 1},
-                               {"Reflectance", 1},
-                               {"Environment", 1},
-                               {"Texture", 1}}));
+    EXPECT_EQ(newRuns(), (Runs{{Task::RecoverDepth, 1},
+                               {Task::ComputeNormals, 1},
+                               {Task::InventBackSides, 1},
+                               {Task::BuildDepthLayers, 1},
+                               {Task::EstimateReflectance, 1},
+                               {Task::RecoverEnvironment, 1},
+                               {Task::SeparateTexture, 1}}));
     const auto second = pipeline.run(scene);
     EXPECT_TRUE(newRuns().empty());
     EXPECT_EQ(first->front, second->front);
@@ -72,21 +73,24 @@ TEST_F(PipelineTest, RecomputesOnlyWhatAnEditInvalidates) {
 
     scene.findSegment(2)->reflectance = core::Vector3f(0.5f, 0.5f, 0.5f);
     const auto recolored = pipeline.run(scene);
-    EXPECT_EQ(newRuns(), (Runs{{"Reflectance", 1}, {"Environment", 1}}));
+    EXPECT_EQ(newRuns(), (Runs{{Task::EstimateReflectance, 1}, {Task::RecoverEnvironment, 1}}));
     EXPECT_EQ(recolored->layers, before->layers);
     EXPECT_NE(recolored->environment, before->environment);
 
     scene.findSegment(3)->backSide.minThickness = 0.01f;
     (void)pipeline.run(scene);
-    EXPECT_EQ(newRuns(), (Runs{{"Back side", 1}, {"Depth layers", 1}, {"Reflectance", 1}, {"Environment", 1}}));
+    EXPECT_EQ(newRuns(), (Runs{{Task::InventBackSides, 1},
+                               {Task::BuildDepthLayers, 1},
+                               {Task::EstimateReflectance, 1},
+                               {Task::RecoverEnvironment, 1}}));
 
     scene.environment.image = std::make_shared<core::ImageRgb>(8, 4, core::Vector3f(1, 2, 3));
     const auto lit = pipeline.run(scene);
-    EXPECT_EQ(newRuns(), (Runs{{"Environment", 1}}));
+    EXPECT_EQ(newRuns(), (Runs{{Task::RecoverEnvironment, 1}}));
     EXPECT_TRUE(lit->environment->mean().isApprox(core::Vector3f(1, 2, 3), 1e-4f));
     scene.environment.scale = 2;
     (void)pipeline.run(scene);
-    EXPECT_EQ(newRuns(), (Runs{{"Environment", 1}}));
+    EXPECT_EQ(newRuns(), (Runs{{Task::RecoverEnvironment, 1}}));
 
     core::Material material;
     scene.findSegment(2)->edit = material;
@@ -98,7 +102,10 @@ TEST_F(PipelineTest, RecomputesOnlyWhatAnEditInvalidates) {
     auto back = std::make_shared<core::ImageF>(80, 60, 3.0f);
     scene.backDepth = back;
     const auto given = pipeline.run(scene);
-    EXPECT_EQ(newRuns(), (Runs{{"Back side", 1}, {"Depth layers", 1}, {"Reflectance", 1}, {"Environment", 1}}));
+    EXPECT_EQ(newRuns(), (Runs{{Task::InventBackSides, 1},
+                               {Task::BuildDepthLayers, 1},
+                               {Task::EstimateReflectance, 1},
+                               {Task::RecoverEnvironment, 1}}));
     EXPECT_NEAR(given->back->depth(40, 40), 3, 1e-5f);
 }
 
@@ -109,20 +116,24 @@ TEST_F(PipelineTest, CancellingKeepsWhatWasFinished) {
     scene.depthFilter.holeRadius = 5;
 
     std::atomic<bool> stop{false};
-    const core::StepContext context(
-        [&](std::string_view step, float) {
-            if (step == "Reflectance") stop = true;
+    const core::Progress progress(
+        [&](Task task, float) {
+            if (task == Task::EstimateReflectance) stop = true;
         },
         &stop);
     try {
-        (void)pipeline.run(scene, context);
+        (void)pipeline.run(scene, progress);
         FAIL() << "the run was not cancelled";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::Cancelled);
     }
-    EXPECT_EQ(newRuns(), (Runs{{"Filter depth", 1}, {"Surface", 1}, {"Back side", 1}, {"Depth layers", 1}}));
+    EXPECT_EQ(newRuns(), (Runs{{Task::RecoverDepth, 1},
+                               {Task::ComputeNormals, 1},
+                               {Task::InventBackSides, 1},
+                               {Task::BuildDepthLayers, 1}}));
     const auto resumed = pipeline.run(scene);
-    EXPECT_EQ(newRuns(), (Runs{{"Reflectance", 1}, {"Environment", 1}, {"Texture", 1}}));
+    EXPECT_EQ(newRuns(),
+              (Runs{{Task::EstimateReflectance, 1}, {Task::RecoverEnvironment, 1}, {Task::SeparateTexture, 1}}));
 
     AnalysisPipeline fresh;
     const auto expected = fresh.run(scene);
@@ -133,23 +144,23 @@ TEST_F(PipelineTest, CancellingKeepsWhatWasFinished) {
 
 TEST_F(PipelineTest, ACancelledRunNeverStarts) {
     const std::atomic<bool> stop{true};
-    EXPECT_THROW((void)pipeline.run(scene, core::StepContext(nullptr, &stop)), Error);
+    EXPECT_THROW((void)pipeline.run(scene, core::Progress(nullptr, &stop)), Error);
     EXPECT_TRUE(newRuns().empty());
 }
 
 TEST_F(PipelineTest, ReportsEveryStepFromStartToEnd) {
-    std::map<std::string, std::pair<float, float>> ranges;
+    std::map<Task, std::pair<float, float>> ranges;
     std::mutex mutex;
-    (void)pipeline.run(scene, core::StepContext([&](std::string_view step, float fraction) {
+    (void)pipeline.run(scene, core::Progress([&](Task task, float fraction) {
                            const std::scoped_lock lock(mutex);
-                           auto& [low, high] = ranges.try_emplace(std::string(step), 1.0f, 0.0f).first->second;
+                           auto& [low, high] = ranges.try_emplace(task, 1.0f, 0.0f).first->second;
                            low = std::min(low, fraction);
                            high = std::max(high, fraction);
                        }));
     EXPECT_EQ(ranges.size(), 7u);
-    for (const auto& [name, range] : ranges) {
-        EXPECT_EQ(range.first, 0) << name;
-        EXPECT_EQ(range.second, 1) << name;
+    for (const auto& [task, range] : ranges) {
+        EXPECT_EQ(range.first, 0) << static_cast<int>(task);
+        EXPECT_EQ(range.second, 1) << static_cast<int>(task);
     }
 }
 

@@ -129,9 +129,9 @@ TEST(ReferenceRender, StopsWhenAsked) {
     AnalyticScene s = twoHalves();
     s.edit(1, "lambert");
     const std::atomic<bool> cancel{true};
-    const StepContext context({}, &cancel);
+    const core::Progress progress({}, &cancel);
     try {
-        static_cast<void>(renderReference(s.scene, s.analysis, context));
+        static_cast<void>(renderReference(s.scene, s.analysis, progress));
         FAIL() << "a cancelled render must not return";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::Cancelled);

@@ -91,8 +91,7 @@ TEST(SettleNormals, ABrokenRimFollowsWhatIsBesideIt) {
     Shown broken = truth;
     const std::vector<std::size_t> wrong = breakRim(broken, 1, false);
     Shown settled = broken;
-    const core::StepContext context;
-    core::analysis::settleNormals(settled.surface, settled.labels, settled.camera, 1, {context, "test"});
+    core::analysis::settleNormals(settled.surface, settled.labels, settled.camera, 1, core::Progress());
     std::vector<float> before, after;
     for (const std::size_t i : wrong) {
         before.push_back(degrees(broken.surface.normal[i], truth.surface.normal[i]));
@@ -113,8 +112,7 @@ TEST(SettleNormals, DepthFollowsTheNormals) {
         [](float u, float v) -> Vector3f { return std::hypot(u, v) < 1 ? Vector3f(0, 0, -1) : Vector3f(0, 0, 0); });
     Shown broken = truth;
     const std::vector<std::size_t> wrong = breakRim(broken, 2, true);
-    const core::StepContext context;
-    core::analysis::settleNormals(broken.surface, broken.labels, broken.camera, 1, {context, "test"});
+    core::analysis::settleNormals(broken.surface, broken.labels, broken.camera, 1, core::Progress());
     std::vector<float> off;
     for (const std::size_t i : wrong) {
         off.push_back(std::abs(broken.surface.depth[i] - 1));
@@ -124,11 +122,10 @@ TEST(SettleNormals, DepthFollowsTheNormals) {
 }
 
 TEST(SettleNormals, CreasesRimsAndWhatHasNoLabelStay) {
-    const core::StepContext context;
     for (const auto& normal : {sphere, crease}) {
         const Shown truth = shown(normal);
         Shown settled = truth;
-        core::analysis::settleNormals(settled.surface, settled.labels, settled.camera, 1, {context, "test"});
+        core::analysis::settleNormals(settled.surface, settled.labels, settled.camera, 1, core::Progress());
         int changed = 0, count = 0;
         for (std::size_t i = 0; i < truth.labels.size(); ++i) {
             if (truth.labels[i] != 0) ++count;
@@ -138,7 +135,7 @@ TEST(SettleNormals, CreasesRimsAndWhatHasNoLabelStay) {
         settled = truth;
         for (std::size_t i = 0; i < truth.labels.size(); ++i) settled.labels[i] = 0;
         settled.surface.normal(60, 60) = Vector3f(1, 0, 0);
-        core::analysis::settleNormals(settled.surface, settled.labels, settled.camera, 1, {context, "test"});
+        core::analysis::settleNormals(settled.surface, settled.labels, settled.camera, 1, core::Progress());
         EXPECT_EQ(settled.surface.normal(60, 60), Vector3f(1, 0, 0));
     }
 }

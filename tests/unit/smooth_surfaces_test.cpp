@@ -16,8 +16,7 @@
 namespace {
 
 using core::ImageF;
-using core::StepContext;
-using core::StepPart;
+using core::Progress;
 using core::analysis::SurfaceSmoothing;
 
 constexpr int kSide = 160;
@@ -30,10 +29,9 @@ struct Picture {
     core::LabelImage labels{kSide, kSide, 1};
     core::Camera camera;
 
-    void smooth(SurfaceSmoothing smoothing, const StepContext& context = StepContext()) {
+    void smooth(SurfaceSmoothing smoothing, const core::Progress& progress = {}) {
         smoothing.label = 1;
-        core::analysis::smoothSurfaces(depth, measured, labels, camera, std::vector{smoothing},
-                                       StepPart{context, "Smooth"});
+        core::analysis::smoothSurfaces(depth, measured, labels, camera, std::vector{smoothing}, progress);
     }
     /// Angle between true and found slopes of `pixels `margin` from the border [degrees]: median or another quantile.
     [[nodiscard]] double tiltError(int margin, double quantile = 0.5) const {
@@ -172,7 +170,7 @@ TEST(SmoothSurfaces, CanBeCancelled) {
     Picture p = pictureOf(bowl);
     const ImageF before = p.depth;
     const std::atomic<bool> cancel{true};
-    EXPECT_THROW(p.smooth({.length = 8, .noise = 0.0005f}, StepContext({}, &cancel)), core::Error);
+    EXPECT_THROW(p.smooth({.length = 8, .noise = 0.0005f}, core::Progress({}, &cancel)), core::Error);
     EXPECT_EQ(p.depth, before);
 }
 

@@ -12,8 +12,7 @@
 
 namespace {
 
-using core::StepContext;
-using core::StepPart;
+using core::Progress;
 using core::analysis::WeakPlate;
 
 constexpr int kWidth = 17;
@@ -96,8 +95,7 @@ TEST(WeakPlate, RelaxesToTheLeastEnergy) {
     const Cells cells = randomCells();
     for (const double length : {0.7, 2.0, 4.0}) {
         WeakPlate plate = plateOf(cells, length);
-        const StepContext context;
-        plate.relax(3000, StepPart{context, "Plate"}, 0);
+        plate.relax(3000, Progress());
         const Eigen::VectorXd truth = denseMinimum(cells, length);
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < kWidth; ++x)
@@ -115,10 +113,9 @@ TEST(WeakPlate, APlaneStaysOnAllLevels) {
         for (int x = 0; x < 40; ++x)
             if (x < 20 || y > 10) fine.setCell(x, y, plane(x, y), (x + y) % 3 == 0 ? 0.0 : 1.0);
     WeakPlate coarse = fine.coarser();
-    const StepContext context;
-    coarse.relax(400, StepPart{context, "Plate"}, 0);
+    coarse.relax(400, Progress());
     fine.prolongFrom(coarse);
-    fine.relax(400, StepPart{context, "Plate"}, 0);
+    fine.relax(400, Progress());
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 40; ++x)
             if (x < 20 || y > 10) {
@@ -132,8 +129,7 @@ TEST(WeakPlate, IsTheSameOnAnyNumberOfThreads) {
         WeakPlate plate(90, 120, 5);
         for (int y = 0; y < 120; ++y)
             for (int x = 0; x < 90; ++x) plate.setCell(x, y, uneven(x, y), 1);
-        const StepContext context;
-        plate.relax(40, StepPart{context, "Plate"}, 0);
+        plate.relax(40, Progress());
         std::vector<double> values;
         for (std::size_t i = 0; i < plate.cellCount(); ++i) values.push_back(plate.value(i));
         return values;

@@ -232,7 +232,7 @@ void DriveList::loadMask(const QString& parameter, const QString& path) {
     const auto photo = workspace_.scene().photo;
     const std::uint16_t label = workspace_.selectedLabel();
     loading_ = std::make_unique<BackgroundTask>(
-        [path, mask](const core::StepContext&) { *mask = core::loadMask(path.toStdString()); });
+        [path, mask](const core::Progress&) { *mask = core::loadMask(path.toStdString()); });
     connect(loading_.get(), &BackgroundTask::failed, this, [this](const QString& sentence) {
         refresh();
         emit error(sentence);

@@ -211,7 +211,7 @@ EnvironmentPanel::~EnvironmentPanel() = default;
 void EnvironmentPanel::loadEnvironment(const QString& path) {
     auto image = std::make_shared<core::ImageRgb>();
     loading_ = std::make_unique<BackgroundTask>(
-        [path, image](const core::StepContext&) { *image = core::loadColor(path.toStdString()); });
+        [path, image](const core::Progress&) { *image = core::loadColor(path.toStdString()); });
     connect(loading_.get(), &BackgroundTask::failed, this, &EnvironmentPanel::error);
     connect(loading_.get(), &BackgroundTask::succeeded, this, [this, path, image] {
         emit message({});

@@ -448,7 +448,7 @@ void MaterialPanel::readFile(const std::string& path, const Loaded& then,
                              const std::function<void(const QString&)>& otherwise) {
     const auto file = std::make_shared<std::shared_ptr<const core::BrdfFile>>();
     loading_ =
-        std::make_unique<BackgroundTask>([path, file](const core::StepContext&) { *file = core::loadBrdfFile(path); });
+        std::make_unique<BackgroundTask>([path, file](const core::Progress&) { *file = core::loadBrdfFile(path); });
     const auto ended = [this] {
         emit message({});
         if (!changed_.empty()) QTimer::singleShot(0, this, &MaterialPanel::reloadChanged);

@@ -19,7 +19,6 @@
 namespace core::analysis {
 namespace {
 
-constexpr const char* kBackSideStep = "Back side";
 constexpr float kInventing = 0.7f;            ///< part of the step that inventing takes
 constexpr float kUnlabelledThickness = 0.1f;  ///< of the distance
 constexpr std::size_t kMinMirrorPoints = 16;
@@ -80,14 +79,15 @@ Candidate flatFaces(FlatFaces solid) {
 
 /// How far the step is, for work inside one segment, which cannot tell.
 struct Reporter {
-    const StepContext& context;
+    const Progress& whole;
     std::atomic<int>& done;
     int count;
 
-    [[nodiscard]] float progress() const {
+    [[nodiscard]] float share() const {
         return kInventing * static_cast<float>(done.load(std::memory_order_relaxed)) / static_cast<float>(count);
     }
-    void checkpoint() const { context.checkpoint(kBackSideStep, progress()); }
+    [[nodiscard]] Progress progress() const { return whole.part(share(), share()); }
+    void checkpoint() const { whole.checkpoint(share()); }
 };
 
 Candidate invent(const SegmentPixels& segment, const std::optional<SupportPlane>& support, BackSideMethod method,
@@ -100,8 +100,7 @@ Candidate invent(const SegmentPixels& segment, const std::optional<SupportPlane>
     } else if (segment.pixels.size() < kMinMirrorPoints) {
         result.failure = "It has too few pixels with depth to tell its shape.";
     } else if (method == BackSideMethod::SpannedMirror) {
-        SpannedMirror mirror = mirrorAtSpannedSurface(segment, support, params.planeShift, kBackSideStep,
-                                                      reporter.progress(), reporter.context);
+        SpannedMirror mirror = mirrorAtSpannedSurface(segment, support, params.planeShift, reporter.progress());
         result.error = mirror.error;
         if (mirror.outline > 0)
             result.samples = std::move(mirror.samples);
@@ -193,7 +192,7 @@ BackLayer inventBackSide(const Camera& camera, const LabelImage& labels, const S
         if (!pixelsOf[label].empty()) present.push_back(label);
     result.segments.resize(present.size());
     std::atomic<int> done{0};
-    const Reporter reporter{context, done, static_cast<int>(present.size())};
+    const Reporter reporter{context.progress, done, static_cast<int>(present.size())};
     const auto inventOne = [&](int index) {
         const auto label = static_cast<std::uint16_t>(present[static_cast<std::size_t>(index)]);
         SegmentPixels segment{camera, labels, front, supports, label, std::move(pixelsOf[label]), {}};
@@ -234,14 +233,14 @@ BackLayer inventBackSide(const Camera& camera, const LabelImage& labels, const S
             if (!(n.dot(camera.pixelRay(x, y)) > 0.02f)) n.setZero();
         }
     }
-    context.kernels().computeSurface({camera, labels, Side::Back, relativeNoise, &mirroredNormals}, back,
-                                     {context, kBackSideStep, kInventing, 1.0f});
+    context.kernels.computeSurface({camera, labels, Side::Back, relativeNoise, &mirroredNormals}, back,
+                                   context.progress.part(kInventing, 1));
     return result;
 }
 
 Step backSideStep() {
     Step step;
-    step.name = kBackSideStep;
+    step.task = Task::InventBackSides;
     step.reads = {Item::Photo, Item::Depth, Item::Front, Item::UserBackDepth};
     step.writes = Item::Back;
     step.params = [](const Scene& scene, Hash& hash) {

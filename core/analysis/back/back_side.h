@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/analysis/step.h"
+#include "core/analysis/step_context.h"
 
 namespace core::analysis {
 

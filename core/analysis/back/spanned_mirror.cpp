@@ -122,7 +122,7 @@ Rim findRim(const SegmentPixels& segment) {
 }
 
 /// The inverse depth of the surface spanned into the fixed cells.
-ImageF spanSurface(Image<Cell> cells, const char* stepName, float progress, const StepContext& context) {
+ImageF spanSurface(Image<Cell> cells, const Progress& progress) {
     const Eigen::Vector3d plane = fitPlane(cells);
     const auto planeAt = [&](int x, int y) { return static_cast<float>(plane.dot(Eigen::Vector3d(1, x, y))); };
     for (int y = 0; y < cells.height(); ++y) {
@@ -132,7 +132,7 @@ ImageF spanSurface(Image<Cell> cells, const char* stepName, float progress, cons
             cell.most -= planeAt(x, y);
         }
     }
-    solveMembrane(cells, stepName, progress, context);
+    solveMembrane(cells, progress);
     ImageF mirror(cells.width(), cells.height());
     for (int y = 0; y < cells.height(); ++y)
         for (int x = 0; x < cells.width(); ++x) mirror(x, y) = cells(x, y).value + planeAt(x, y);
@@ -175,21 +175,21 @@ std::size_t freeNearSupport(const SegmentPixels& segment, const SupportPlane& su
 }  // namespace
 
 SpannedMirror mirrorAtSpannedSurface(const SegmentPixels& segment, const std::optional<SupportPlane>& support,
-                                     float shift, const char* stepName, float progress, const StepContext& context) {
+                                     float shift, const Progress& progress) {
     const PixelBox& box = segment.box;
     Rim rim = findRim(segment);
     SpannedMirror result;
     if (rim.known == 0) return result;
     result.outline = static_cast<float>(rim.known) / static_cast<float>(rim.known + rim.unknown);
 
-    ImageF mirrors = spanSurface(rim.cells, stepName, progress, context);
+    ImageF mirrors = spanSurface(rim.cells, progress);
     if (support) {
         const float height = kRoundedOff * medianThickness(segment, mirrors, *support);
         Image<Cell> freed = rim.cells;
         const std::size_t held = freeNearSupport(segment, *support, height, freed);
         if (held > 0 && held < rim.known) {
             rim.cells = std::move(freed);
-            mirrors = spanSurface(rim.cells, stepName, progress, context);
+            mirrors = spanSurface(rim.cells, progress);
         }
     }
 

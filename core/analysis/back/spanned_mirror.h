@@ -27,6 +27,6 @@ struct SpannedMirror {
 /// An outline of which nothing is known gives `outline` 0 and no samples. Cancellable; reports `progress` of the step.
 [[nodiscard]] SpannedMirror mirrorAtSpannedSurface(const SegmentPixels& segment,
                                                    const std::optional<SupportPlane>& support, float shift,
-                                                   const char* step, float progress, const StepContext& context);
+                                                   const Progress& progress);
 
 }  // namespace core::analysis

@@ -75,40 +75,37 @@ double planeAtCenter(const std::vector<WindowSample>& samples, double steepest) 
 /// Draws each filled pixel towards the means of pairs of opposite filled ones of its segment, far ones first: what
 /// differs between the planes of neighbours goes, planes stay planes, jagged pixels beside the gap stay out.
 void smoothFilled(ImageF& depth, const LabelImage& labels, const Image<std::uint16_t>& filled, int margin,
-                  const StepPart& part) {
+                  const Progress& progress) {
     constexpr std::array<Pixel, 4> kDirections{{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
     for (int stride = std::max(1, margin / 2); stride >= 1; stride /= 2) {
         for (int round = 0; round < kSmoothings; ++round) {
             const ImageF before = depth;
-            parallelFor(
-                part.context, part.step, depth.height(),
-                [&](int y) {
-                    for (int x = 0; x < depth.width(); ++x) {
-                        if (filled(x, y) == 0) continue;
-                        const auto inverse = [&](int u, int v) {
-                            return labels.contains(u, v) && labels(u, v) == labels(x, y) && filled(u, v) != 0
-                                       ? 1 / before(u, v)
-                                       : 0.0f;
-                        };
-                        std::array<float, kDirections.size()> means{};
-                        std::size_t count = 0;
-                        for (const Pixel& d : kDirections) {
-                            const float a = inverse(x + stride * d.x, y + stride * d.y);
-                            const float b = inverse(x - stride * d.x, y - stride * d.y);
-                            if (a <= 0 || b <= 0) continue;
-                            const float mean = 0.5f * (a + b);
-                            std::size_t at = count++;
-                            for (; at > 0 && means[at - 1] > mean; --at) means[at] = means[at - 1];
-                            means[at] = mean;
-                        }
-                        if (count == 0) continue;
-                        // Their median: one of them may end at a jagged pixel.
-                        const float middle = 0.5f * (means[(count - 1) / 2] + means[count / 2]);
-                        const float own = 1 / before(x, y);
-                        depth(x, y) = 1 / (own + 0.8f * (middle - own));
+            parallelFor(progress, depth.height(), [&](int y) {
+                for (int x = 0; x < depth.width(); ++x) {
+                    if (filled(x, y) == 0) continue;
+                    const auto inverse = [&](int u, int v) {
+                        return labels.contains(u, v) && labels(u, v) == labels(x, y) && filled(u, v) != 0
+                                   ? 1 / before(u, v)
+                                   : 0.0f;
+                    };
+                    std::array<float, kDirections.size()> means{};
+                    std::size_t count = 0;
+                    for (const Pixel& d : kDirections) {
+                        const float a = inverse(x + stride * d.x, y + stride * d.y);
+                        const float b = inverse(x - stride * d.x, y - stride * d.y);
+                        if (a <= 0 || b <= 0) continue;
+                        const float mean = 0.5f * (a + b);
+                        std::size_t at = count++;
+                        for (; at > 0 && means[at - 1] > mean; --at) means[at] = means[at - 1];
+                        means[at] = mean;
                     }
-                },
-                part.from, part.to);
+                    if (count == 0) continue;
+                    // Their median: one of them may end at a jagged pixel.
+                    const float middle = 0.5f * (means[(count - 1) / 2] + means[count / 2]);
+                    const float own = 1 / before(x, y);
+                    depth(x, y) = 1 / (own + 0.8f * (middle - own));
+                }
+            });
         }
     }
 }
@@ -116,7 +113,7 @@ void smoothFilled(ImageF& depth, const LabelImage& labels, const Image<std::uint
 }  // namespace
 
 void continueDepth(ImageF& depth, const LabelImage& labels, const Camera& camera, DepthGaps& gaps,
-                   const StepPart& part) {
+                   const Progress& progress) {
     Image<std::uint8_t>& isGap = gaps.isGap;
     const ImageF known = depth;
     const Image<std::uint8_t> wasGap = isGap;
@@ -144,38 +141,35 @@ void continueDepth(ImageF& depth, const LabelImage& labels, const Camera& camera
         for (const auto& [x, y] : ring) reachFrom(x, y, static_cast<std::uint16_t>(d));
     }
 
-    parallelFor(
-        part.context, part.step, depth.height(),
-        [&](int y) {
-            std::vector<WindowSample> samples;
-            for (int x = 0; x < depth.width(); ++x) {
-                if (distance(x, y) == 0) continue;
-                const int radius = gaps.margin + 2 * distance(x, y);
-                const int stride = (radius + kSamples - 1) / kSamples;
-                samples.clear();
-                for (int j = -kSamples; j <= kSamples; ++j)
-                    for (int i = -kSamples; i <= kSamples; ++i) {
-                        const int u = x + i * stride;
-                        const int v = y + j * stride;
-                        const int squared = (i * i + j * j) * stride * stride;
-                        if (squared > radius * radius || !labels.contains(u, v) || labels(u, v) != labels(x, y) ||
-                            !isKnown(u, v))
-                            continue;
-                        const double r = radius;
-                        samples.push_back({i * stride / r, j * stride / r, 1.0 / static_cast<double>(known(u, v)),
-                                           std::exp(-2.0 * squared / (r * r))});
-                    }
-                if (samples.size() < kLeastSamples) {
-                    distance(x, y) = 0;
-                    continue;
+    parallelFor(progress, depth.height(), [&](int y) {
+        std::vector<WindowSample> samples;
+        for (int x = 0; x < depth.width(); ++x) {
+            if (distance(x, y) == 0) continue;
+            const int radius = gaps.margin + 2 * distance(x, y);
+            const int stride = (radius + kSamples - 1) / kSamples;
+            samples.clear();
+            for (int j = -kSamples; j <= kSamples; ++j)
+                for (int i = -kSamples; i <= kSamples; ++i) {
+                    const int u = x + i * stride;
+                    const int v = y + j * stride;
+                    const int squared = (i * i + j * j) * stride * stride;
+                    if (squared > radius * radius || !labels.contains(u, v) || labels(u, v) != labels(x, y) ||
+                        !isKnown(u, v))
+                        continue;
+                    const double r = radius;
+                    samples.push_back({i * stride / r, j * stride / r, 1.0 / static_cast<double>(known(u, v)),
+                                       std::exp(-2.0 * squared / (r * r))});
                 }
-                const double steepest = kSteepest * 2 * radius / static_cast<double>(camera.fx + camera.fy);
-                depth(x, y) = static_cast<float>(1 / planeAtCenter(samples, steepest));
-                isGap(x, y) = 0;
+            if (samples.size() < kLeastSamples) {
+                distance(x, y) = 0;
+                continue;
             }
-        },
-        part.from, part.to);
-    smoothFilled(depth, labels, distance, gaps.margin, {part.context, part.step, part.to, part.to});
+            const double steepest = kSteepest * 2 * radius / static_cast<double>(camera.fx + camera.fy);
+            depth(x, y) = static_cast<float>(1 / planeAtCenter(samples, steepest));
+            isGap(x, y) = 0;
+        }
+    });
+    smoothFilled(depth, labels, distance, gaps.margin, progress.part(1, 1));
 }
 
 }  // namespace core::analysis

@@ -21,6 +21,6 @@ struct DepthGaps {
 /// with its slope, up to an open outline too, where a membrane would end facing the camera, and jagged pixels beside
 /// the gap do not run on into it. Slopes are limited to 75 degrees. Sets `isGap` of what was filled to 0.
 void continueDepth(ImageF& depth, const LabelImage& labels, const Camera& camera, DepthGaps& gaps,
-                   const StepPart& part);
+                   const Progress& progress);
 
 }  // namespace core::analysis

@@ -12,7 +12,6 @@
 namespace core::analysis {
 namespace {
 
-constexpr const char* kNoiseStep = "Filter depth";
 constexpr std::size_t kScales = 5;
 constexpr std::size_t kEnlargedScales = 6;  ///< maps that are not exact anyway may have been enlarged before, too
 constexpr float kExact = 2e-6f;  ///< relative deviation below which depth counts as exact: rounding of floats
@@ -235,22 +234,18 @@ NoiseCurve quantisation(const ImageF& w, float pixelsPerSample, int base, const 
 }
 
 NoiseCurve measureNoise(const ImageF& w, const LabelImage& labels, int step, Differences order, const Range& range,
-                        const StepContext& context) {
+                        const Progress& progress) {
     NoiseCurve curve = curveOver(range);
     const int size = 32 * std::max(1, step / 16);
     const int columns = (w.width() + size - 1) / size;
     const int rows = (w.height() + size - 1) / size;
     const int skip = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(columns) * rows / 2500)));
     std::vector<std::optional<Block>> found(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-    parallelFor(
-        context, kNoiseStep, (rows + skip - 1) / skip,
-        [&](int j) {
-            for (int i = 0; i < columns; i += skip)
-                found[static_cast<std::size_t>(j * skip) * static_cast<std::size_t>(columns) +
-                      static_cast<std::size_t>(i)] =
-                    measureBlock(w, labels, i * size, j * skip * size, size, step, order);
-        },
-        0.0f, 0.0f);
+    parallelFor(progress, (rows + skip - 1) / skip, [&](int j) {
+        for (int i = 0; i < columns; i += skip)
+            found[static_cast<std::size_t>(j * skip) * static_cast<std::size_t>(columns) +
+                  static_cast<std::size_t>(i)] = measureBlock(w, labels, i * size, j * skip * size, size, step, order);
+    });
     std::vector<Block> blocks;
     for (const auto& block : found)
         if (block) blocks.push_back(*block);
@@ -302,8 +297,8 @@ ImageF inverseOf(const ImageF& depth) {
 }
 
 NoiseCurve measureNoise(const ImageF& inverseDepth, const LabelImage& labels, int step, Differences order,
-                        const StepContext& context) {
-    return measureNoise(inverseDepth, labels, step, order, rangeOf(inverseDepth), context);
+                        const Progress& progress) {
+    return measureNoise(inverseDepth, labels, step, order, rangeOf(inverseDepth), progress);
 }
 
 float relativeNoise(const NoiseCurve& deviation, const ImageF& inverseDepth) {
@@ -317,7 +312,7 @@ float relativeNoise(const NoiseCurve& deviation, const ImageF& inverseDepth) {
 }
 
 DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labels, float pixelsPerSample,
-                              const StepContext& context) {
+                              const Progress& progress) {
     DepthNoise noise;
     const Range range = rangeOf(inverseDepth);
     if (range.high <= 0) return noise;
@@ -326,7 +321,7 @@ DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labe
     const bool smooth = base > 1 && std::ranges::all_of(quanta.sigma, [](float quantum) { return quantum <= 0; });
     std::vector<NoiseCurve> scales(smooth ? kEnlargedScales : kScales);
     for (std::size_t k = 0; k < scales.size(); ++k)
-        scales[k] = measureNoise(inverseDepth, labels, base << k, Differences::Fourth, range, context);
+        scales[k] = measureNoise(inverseDepth, labels, base << k, Differences::Fourth, range, progress);
 
     noise.deviation = curveOver(range);
     std::vector<float> total(scales.size(), 0.0f);

@@ -42,7 +42,7 @@ enum class Differences { Second, Fourth };
 /// fifth, so that edges and relief do not count as long as something in the picture is smooth. 0 where nothing was
 /// large enough to tell.
 [[nodiscard]] NoiseCurve measureNoise(const ImageF& inverseDepth, const LabelImage& labels, int step, Differences order,
-                                      const StepContext& context);
+                                      const Progress& progress);
 
 /// Noise in fourth differences at steps of 1, 2, 4, 8 and 16 times `pixelsPerSample` (of an enlarged map; 1 otherwise;
 /// enlarged maps without rounding at 32 times, too).
@@ -50,7 +50,7 @@ enum class Differences { Second, Fourth };
 /// and relief grows without end: what levels off is noise. Quantisation, which may not show in differences at all,
 /// counts as a deviation of step/√12.
 [[nodiscard]] DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labels, float pixelsPerSample,
-                                            const StepContext& context);
+                                            const Progress& progress);
 
 /// σ(z)/z at the median depth; 0 without valid depth.
 [[nodiscard]] float relativeNoise(const NoiseCurve& deviation, const ImageF& inverseDepth);

@@ -19,8 +19,6 @@
 namespace core::analysis {
 namespace {
 
-constexpr const char* kFilterDepthStep = "Filter depth";
-
 /// Squared distance of two encoded colours, [0, 3].
 float squaredDistance(std::uint32_t a, std::uint32_t b) {
     int sum = 0;
@@ -114,14 +112,14 @@ constexpr float kLeastNoise = 2e-6f;  ///< of depth that was filtered: it is not
 constexpr float kAutomaticColorSigma = 0.25f;
 
 /// Progress of pass `k`.
-StepPart partOf(int k, const StepContext& context) {
+Progress partOf(int k, const Progress& progress) {
     const float from = 0.1f + 0.18f * static_cast<float>(k);
-    return {context, kFilterDepthStep, from, from + 0.18f};
+    return progress.part(from, from + 0.18f);
 }
 
 ImageF filterAutomatically(ImageF w, AnalysisKernels::DepthFilter& filter, const LabelImage& labels,
                            const Camera& camera, const DepthNoise& noise, float pixelsPerSample,
-                           const StepContext& context) {
+                           const Progress& progress) {
     // Between two steps of rounding it is not known where depth changes; paint would keep the terraces where they are.
     const float colorFactor =
         noise.quantised ? 0.0f : 1 / (kLimit * kLimit * kAutomaticColorSigma * kAutomaticColorSigma);
@@ -137,7 +135,8 @@ ImageF filterAutomatically(ImageF w, AnalysisKernels::DepthFilter& filter, const
             noise.quantised ? 1.0f : std::min(1.0f, 2 * noise.correlationLength / static_cast<float>(step));
         NoiseCurve left = scaled(noise.deviation, predicted);
         if (!noise.quantised) {
-            const NoiseCurve measured = measureNoise(w, labels, step, Differences::Second, context);
+            const NoiseCurve measured =
+                measureNoise(w, labels, step, Differences::Second, partOf(k, progress).part(0, 0));
             for (std::size_t i = 0; i < left.sigma.size(); ++i)
                 if (measured.sigma[i] > 0) left.sigma[i] = std::min(left.sigma[i], measured.sigma[i]);
         }
@@ -148,13 +147,13 @@ ImageF filterAutomatically(ImageF w, AnalysisKernels::DepthFilter& filter, const
         }
         tilt *= std::max(camera.fx, camera.fy) / static_cast<float>(step);
         if (tilt < kMinTilt && step > static_cast<int>(noise.correlationLength)) break;
-        w = filter.run(makePass(step, 1.0f, scaled(left, kAllowance), colorFactor), w, partOf(k, context));
+        w = filter.run(makePass(step, 1.0f, scaled(left, kAllowance), colorFactor), w, partOf(k, progress));
     }
     return w;
 }
 
 ImageF filterByHand(ImageF w, AnalysisKernels::DepthFilter& filter, const DepthFilterParams& params,
-                    const StepContext& context) {
+                    const Progress& progress) {
     const float colorSigma = std::max(params.colorSigma, 1e-4f);
     NoiseCurve range;
     range.cellsPerUnit = 1;  // σ(1/z) = σ(z)/z · 1/z
@@ -167,7 +166,8 @@ ImageF filterByHand(ImageF w, AnalysisKernels::DepthFilter& filter, const DepthF
         variance += static_cast<float>(1 << (2 * passes++));
     const float sigma = std::min(params.spatialSigma / std::sqrt(variance), 1.5f);
     const float colorFactor = 1 / (kLimit * kLimit * colorSigma * colorSigma);
-    for (int k = 0; k < passes; ++k) w = filter.run(makePass(1 << k, sigma, range, colorFactor), w, partOf(k, context));
+    for (int k = 0; k < passes; ++k)
+        w = filter.run(makePass(1 << k, sigma, range, colorFactor), w, partOf(k, progress));
     return w;
 }
 
@@ -218,46 +218,39 @@ std::vector<SurfaceSmoothing> smoothingOf(const ImageF& depth, const Scene& scen
 }
 
 /// Continues segments into what the sensor missed beside their surfaces.
-void continueSegments(ImageF& depth, const Photo& photo, const StepContext& context) {
+void continueSegments(ImageF& depth, const Photo& photo, const Progress& progress) {
     constexpr int kGapMargin = 8;    // [px] at least, and samples of the depth map
     constexpr int kReachParts = 30;  // the longer side over it
     DepthGaps gaps{Image<std::uint8_t>(depth.width(), depth.height(), 0),
                    kGapMargin * std::max(1, static_cast<int>(std::lround(photo.depthStep))),
                    std::max(depth.width(), depth.height()) / kReachParts};
     for (std::size_t i = 0; i < depth.size(); ++i) gaps.isGap[i] = photo.labels[i] != 0 && depth[i] <= 0 ? 1 : 0;
-    continueDepth(depth, photo.labels, photo.camera, gaps, {context, kFilterDepthStep, 1.0f, 1.0f});
+    continueDepth(depth, photo.labels, photo.camera, gaps, progress);
 }
 
 }  // namespace
 
-Image<std::uint32_t> encodeColor(const ImageRgb& color, const StepPart& part) {
+Image<std::uint32_t> encodeColor(const ImageRgb& color, const Progress& progress) {
     Image<std::uint32_t> encoded(color.width(), color.height());
-    parallelFor(
-        part.context, part.step, color.height(),
-        [&](int y) {
-            for (int x = 0; x < color.width(); ++x) {
-                const Vector3f& c = color(x, y);
-                std::uint32_t packed = 0;
-                for (int k = 2; k >= 0; --k)
-                    packed =
-                        packed << 8 | static_cast<std::uint32_t>(255 * std::sqrt(std::clamp(c[k], 0.0f, 1.0f)) + 0.5f);
-                encoded(x, y) = packed;
-            }
-        },
-        part.from, part.to);
+    parallelFor(progress, color.height(), [&](int y) {
+        for (int x = 0; x < color.width(); ++x) {
+            const Vector3f& c = color(x, y);
+            std::uint32_t packed = 0;
+            for (int k = 2; k >= 0; --k)
+                packed = packed << 8 | static_cast<std::uint32_t>(255 * std::sqrt(std::clamp(c[k], 0.0f, 1.0f)) + 0.5f);
+            encoded(x, y) = packed;
+        }
+    });
     return encoded;
 }
 
 ImageF runFilterPass(const FilterPass& pass, const ImageF& inverseDepth, const Image<std::uint32_t>& color,
-                     const LabelImage& labels, const StepPart& part) {
+                     const LabelImage& labels, const Progress& progress) {
     ImageF result(inverseDepth.width(), inverseDepth.height());
     const PassOverImage filter{pass, inverseDepth, color, labels};
-    parallelFor(
-        part.context, part.step, result.height(),
-        [&](int y) {
-            for (int x = 0; x < result.width(); ++x) result(x, y) = filter.filtered(x, y);
-        },
-        part.from, part.to);
+    parallelFor(progress, result.height(), [&](int y) {
+        for (int x = 0; x < result.width(); ++x) result(x, y) = filter.filtered(x, y);
+    });
     return result;
 }
 
@@ -267,11 +260,12 @@ ImageF filterDepth(const ImageF& depth, const ImageRgb& color, const LabelImage&
     if (!params.enabled) return depth;
     const bool nothing = params.automatic ? noise.relative <= 0 : params.spatialSigma <= 0 || params.depthSigma <= 0;
     if (nothing) return depth;
-    const Image<std::uint32_t> encoded = encodeColor(color, {context, kFilterDepthStep, 0.0f, 0.1f});
-    const auto filter = context.kernels().depthFilter(encoded, labels);
+    const Image<std::uint32_t> encoded = encodeColor(color, context.progress.part(0, 0.1f));
+    const auto filter = context.kernels.depthFilter(encoded, labels);
     ImageF w = inverseOf(depth);
-    w = params.automatic ? filterAutomatically(std::move(w), *filter, labels, camera, noise, pixelsPerSample, context)
-                         : filterByHand(std::move(w), *filter, params, context);
+    w = params.automatic
+            ? filterAutomatically(std::move(w), *filter, labels, camera, noise, pixelsPerSample, context.progress)
+            : filterByHand(std::move(w), *filter, params, context.progress);
     for (std::size_t i = 0; i < w.size(); ++i) w[i] = depth[i] > 0 ? 1 / w[i] : 0.0f;
     return w;
 }
@@ -344,7 +338,7 @@ void fillSmallHoles(ImageF& depth, const LabelImage& labels, int radius) {
     }
 }
 
-void completeSegments(ImageF& depth, const LabelImage& labels, const StepContext& context) {
+void completeSegments(ImageF& depth, const LabelImage& labels, const Progress& progress) {
     struct Part {
         PixelBox box;
         double sum = 0;  ///< of inverse depth
@@ -375,7 +369,7 @@ void completeSegments(ImageF& depth, const LabelImage& labels, const StepContext
                                     : MembraneCell{mean, MembraneCell::Kind::Free};
             }
         }
-        solveMembrane(cells, kFilterDepthStep, 1.0f, context);
+        solveMembrane(cells, progress);
         for (int y = 0; y < cells.height(); ++y)
             for (int x = 0; x < cells.width(); ++x)
                 if (cells(x, y).kind == MembraneCell::Kind::Free) depthAt(x, y) = 1 / cells(x, y).value;
@@ -384,7 +378,7 @@ void completeSegments(ImageF& depth, const LabelImage& labels, const StepContext
 
 Step filterDepthStep() {
     Step step;
-    step.name = kFilterDepthStep;
+    step.task = Task::RecoverDepth;
     step.reads = {Item::Photo};
     step.writes = Item::Depth;
     step.params = [](const Scene& scene, Hash& hash) {
@@ -403,28 +397,30 @@ Step filterDepthStep() {
                         "The depth map has no valid pixel: all of its " + std::to_string(depth.size()) +
                             " values are zero or not finite, but at least one positive depth is needed. Load a depth "
                             "map that belongs to the photograph, or check its unit and kind.");
-        const DepthNoise noise = estimateDepthNoise(inverseOf(depth), photo.labels, photo.depthStep, context);
+        const DepthNoise noise =
+            estimateDepthNoise(inverseOf(depth), photo.labels, photo.depthStep, context.progress.part(0, 0));
         const bool measured = noise.relative > 0 || photo.depthStep > 1;
         if (board.scene->depthFilter.enabled && measured)
-            removeFlyingPixels(depth, photo.labels, photo.camera, photo.depthStep, context);
+            removeFlyingPixels(depth, photo.labels, photo.camera, photo.depthStep, context.progress.part(0, 0));
         result->depth = filterDepth(depth, photo.color, photo.labels, photo.camera, board.scene->depthFilter, noise,
                                     photo.depthStep, context);
         result->relativeNoise = noise.relative;
         if (board.scene->depthFilter.enabled && noise.relative > 0) {
             const ImageF left = inverseOf(result->depth);
             result->relativeNoise = std::max(
-                kLeastNoise, relativeNoise(measureNoise(left, photo.labels, 1, Differences::Fourth, context), left));
+                kLeastNoise,
+                relativeNoise(measureNoise(left, photo.labels, 1, Differences::Fourth, context.progress.part(1, 1)),
+                              left));
         }
         if (board.scene->depthFilter.enabled)
             fillSmallHoles(result->depth, photo.labels, board.scene->depthFilter.holeRadius);
-        continueSegments(result->depth, photo, context);
-        completeSegments(result->depth, photo.labels, context);
+        continueSegments(result->depth, photo, context.progress.part(1, 1));
+        completeSegments(result->depth, photo.labels, context.progress.part(1, 1));
         if (board.scene->depthFilter.enabled) {
             Image<std::uint8_t> known(depth.width(), depth.height());
             for (std::size_t i = 0; i < depth.size(); ++i) known[i] = depth[i] > 0 ? 1 : 0;
             const std::vector<SurfaceSmoothing> segments = smoothingOf(result->depth, *board.scene, noise);
-            smoothSurfaces(result->depth, known, photo.labels, photo.camera, segments,
-                           {context, kFilterDepthStep, 1.0f, 1.0f});
+            smoothSurfaces(result->depth, known, photo.labels, photo.camera, segments, context.progress.part(1, 1));
             for (const SurfaceSmoothing& segment : segments)
                 result->smoothing[segment.label] = kBumpOverLength * segment.length;
         }

@@ -6,13 +6,13 @@
 
 #include "core/analysis/depth/depth_noise.h"
 #include "core/analysis/step.h"
-#include "core/base/progress.h"
+#include "core/analysis/step_context.h"
 #include "core/scene/scene.h"
 
 namespace core::analysis {
 
 /// Colours as the eye compares them: 8-bit with a square root for the display's curve, red lowest.
-[[nodiscard]] Image<std::uint32_t> encodeColor(const ImageRgb& color, const StepPart& part);
+[[nodiscard]] Image<std::uint32_t> encodeColor(const ImageRgb& color, const Progress& progress);
 
 /// One pass of `filterDepth`.
 struct FilterPass {
@@ -29,7 +29,8 @@ struct FilterPass {
 
 /// The filtered image of inverse depth [1/m], 0 = none, on the CPU.
 [[nodiscard]] ImageF runFilterPass(const FilterPass& pass, const ImageF& inverseDepth,
-                                   const Image<std::uint32_t>& color, const LabelImage& labels, const StepPart& part);
+                                   const Image<std::uint32_t>& color, const LabelImage& labels,
+                                   const Progress& progress);
 
 /// Edge-avoiding à-trous filter of inverse depth ([DSHL10]): passes of a 5×5 kernel whose taps lie 1, 2, 4, ... pixels
 /// apart, so that wide kernels cost little. Taps come in pairs opposite each other about the centre: planes are linear
@@ -53,6 +54,6 @@ void fillSmallHoles(ImageF& depth, const LabelImage& labels, int radius);
 /// the segment's valid pixels, for what `continueDepth` leaves. Sensors miss glossy, dark and thin parts and the strip
 /// beside an outline; a pixel that the user marked belongs to its object all the same, and would keep its old material
 /// otherwise. Unlabelled pixels stay distant.
-void completeSegments(ImageF& depth, const LabelImage& labels, const StepContext& context = StepContext());
+void completeSegments(ImageF& depth, const LabelImage& labels, const Progress& progress = {});
 
 }  // namespace core::analysis

@@ -14,7 +14,6 @@
 namespace core::analysis {
 namespace {
 
-constexpr const char* kFlyingPixelsStep = "Filter depth";
 constexpr int kReachParts = 60;         ///< the longer side over the reach of a ramp
 constexpr int kGrid = 4;                ///< samples of a window on each side of its centre
 constexpr float kRampPart = 0.6f;       ///< of the outline near by that is blurred where a ramp is
@@ -176,7 +175,7 @@ class Outlines {
 }  // namespace
 
 void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& camera, float pixelsPerSample,
-                        const StepContext& context) {
+                        const Progress& progress) {
     const std::vector<bool> supports = findSupports(labels);
     const ImageF measured = depth;
     const bool enlarged = pixelsPerSample > 1;
@@ -185,17 +184,14 @@ void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& c
     Image<Edge> edges(depth.width(), depth.height(), Edge::None);
     Image<std::uint8_t> strips(depth.width(), depth.height(), 0);
     Image<Surfaces> surfaces(depth.width(), depth.height());
-    parallelFor(
-        context, kFlyingPixelsStep, depth.height(),
-        [&](int y) {
-            for (int x = 0; x < depth.width(); ++x) {
-                if (labels(x, y) == 0 || supports[labels(x, y)] || measured(x, y) <= 0 || !outlines.isOutline(x, y))
-                    continue;
-                edges(x, y) = outlines.classify(x, y, surfaces(x, y));
-                strips(x, y) = outlines.hasStrip(x, y) ? 1 : 0;
-            }
-        },
-        0.0f, 0.0f);
+    parallelFor(progress, depth.height(), [&](int y) {
+        for (int x = 0; x < depth.width(); ++x) {
+            if (labels(x, y) == 0 || supports[labels(x, y)] || measured(x, y) <= 0 || !outlines.isOutline(x, y))
+                continue;
+            edges(x, y) = outlines.classify(x, y, surfaces(x, y));
+            strips(x, y) = outlines.hasStrip(x, y) ? 1 : 0;
+        }
+    });
 
     const auto visit = [&](Pixel center, int radius, const auto& visitor) {
         for (int y = std::max(center.y - radius, 0); y <= std::min(center.y + radius, depth.height() - 1); ++y)
@@ -220,7 +216,7 @@ void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& c
     const int foot = 1 + reach / kFootParts;
     Image<std::uint8_t> ramp(depth.width(), depth.height(), 0);
     for (int y = 0; y < depth.height(); ++y) {
-        context.checkpoint(kFlyingPixelsStep, 0);
+        progress.checkpoint(1);
         for (int x = 0; x < depth.width(); ++x) {
             if (isStrip(x, y) && runsAlong({x, y}, kStripPart, isStrip))
                 for (const Pixel& inwards : kNeighbors)

@@ -17,6 +17,6 @@ namespace core::analysis {
 /// the ramps of enlarged maps are followed as far as they are steeper than relief. Colours that guide the enlargement
 /// make them end in a jump; they are told by how fast they fall, if no part of a plane seen at a small angle does.
 void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& camera, float pixelsPerSample,
-                        const StepContext& context);
+                        const Progress& progress);
 
 }  // namespace core::analysis

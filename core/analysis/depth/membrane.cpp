@@ -62,8 +62,8 @@ void relax(Image<MembraneCell>& cells, const std::vector<Pixel>& free, float fac
 
 }  // namespace
 
-void solveMembrane(Image<MembraneCell>& cells, const char* step, float progress, const StepContext& context) {
-    context.checkpoint(step, progress);
+void solveMembrane(Image<MembraneCell>& cells, const Progress& progress) {
+    progress.checkpoint(0);
     std::vector<Pixel> free;
     for (int y = 0; y < cells.height(); ++y)
         for (int x = 0; x < cells.width(); ++x)
@@ -72,12 +72,12 @@ void solveMembrane(Image<MembraneCell>& cells, const char* step, float progress,
     const bool coarsest = cells.width() <= kCoarsest || cells.height() <= kCoarsest;
     if (!coarsest) {
         Image<MembraneCell> coarse = coarser(cells);
-        solveMembrane(coarse, step, progress, context);
+        solveMembrane(coarse, progress);
         for (const auto& [x, y] : free) cells(x, y).value = coarse(x / 2, y / 2).value;
     }
     const int sweeps = coarsest ? kCoarseSweeps : kSweeps;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
-        context.checkpoint(step, progress);
+        progress.checkpoint(0);
         // Plain relaxation last: it removes the checkered remains of the over-relaxed sweeps.
         relax(cells, free, sweep + 2 < sweeps ? kOverRelaxation : 1.0f);
     }

@@ -22,6 +22,6 @@ struct MembraneCell {
 /// without flow through the outside: coarse to fine, each level started from the coarser one, so that the cost is that
 /// of the cells whatever the width of a gap. The values of free cells are the start; parts without a fixed cell keep
 /// about that. Cancellable between levels; reports `progress` of `step`.
-void solveMembrane(Image<MembraneCell>& cells, const char* step, float progress, const StepContext& context);
+void solveMembrane(Image<MembraneCell>& cells, const Progress& progress);
 
 }  // namespace core::analysis

@@ -13,7 +13,6 @@
 namespace core::analysis {
 namespace {
 
-constexpr const char* kSurfaceStep = "Surface";
 constexpr float kMinViewCosine = 0.02f;
 constexpr float kContourJump = 6;  ///< step over an occluding contour over the one before it
 constexpr float kNothing = 1e9f;   ///< inverse depth [1/m] that is on no plane
@@ -175,7 +174,7 @@ float patchArea(const Camera& camera, const Vector3f& position, const Vector3f& 
     return cosine > 0 ? z * z * z / (camera.fx * camera.fy * cosine) : 0.0f;
 }
 
-void computeSurface(const SurfaceInput& input, Surface& surface, const StepPart& part) {
+void computeSurface(const SurfaceInput& input, Surface& surface, const Progress& progress) {
     const int width = surface.depth.width();
     const int height = surface.depth.height();
     surface.normal = ImageV3(width, height, Vector3f::Zero());
@@ -195,12 +194,12 @@ void computeSurface(const SurfaceInput& input, Surface& surface, const StepPart&
             surface.area(x, y) = patchArea(input.camera, position, normal);
         }
     };
-    parallelFor(part.context, part.step, height, computeRow, part.from, part.to);
+    parallelFor(progress, height, computeRow);
 }
 
 Step surfaceStep() {
     Step step;
-    step.name = kSurfaceStep;
+    step.task = Task::ComputeNormals;
     step.reads = {Item::Photo, Item::Depth};
     step.writes = Item::Front;
     step.params = [](const Scene&, Hash&) {};
@@ -209,10 +208,10 @@ Step surfaceStep() {
         auto surface = std::make_shared<Surface>();
         surface->depth = board.depth->depth;
         surface->color = photo.color;
-        context.kernels().computeSurface({photo.camera, photo.labels, Side::Front, board.depth->relativeNoise},
-                                         *surface, {context, kSurfaceStep, 0.0f, 0.7f});
+        context.kernels.computeSurface({photo.camera, photo.labels, Side::Front, board.depth->relativeNoise}, *surface,
+                                       context.progress.part(0, 0.7f));
         if (board.depth->relativeNoise > 0)
-            settleNormals(*surface, photo.labels, photo.camera, photo.depthStep, {context, kSurfaceStep, 0.7f, 1.0f});
+            settleNormals(*surface, photo.labels, photo.camera, photo.depthStep, context.progress.part(0.7f, 1));
         board.front = std::move(surface);
     };
     return step;

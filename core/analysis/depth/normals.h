@@ -27,7 +27,7 @@ struct SurfaceInput {
 /// Normals by a robust fit of a plane in inverse depth, w = a + gu·Δu + gv·Δv, around every pixel. Neighbours of other
 /// segments do not count, nor do those that depart from the slope on the pixel's smoother side by more than a pixel's
 /// footprint: fits stop at discontinuities and are one-sided beside them. The window is 3×3 on exact depth, else 5×5.
-void computeSurface(const SurfaceInput& input, Surface& surface, const StepPart& part);
+void computeSurface(const SurfaceInput& input, Surface& surface, const Progress& progress);
 
 /// One neighbour of the fit.
 struct NormalTap {

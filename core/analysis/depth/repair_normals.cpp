@@ -23,88 +23,80 @@ constexpr float kLeastWeight = 2;         ///< of settled ones in such a reach
 
 }  // namespace
 
-void settleNormals(Surface& surface, const LabelImage& labels, const Camera& camera, float step, const StepPart& part) {
+void settleNormals(Surface& surface, const LabelImage& labels, const Camera& camera, float step,
+                   const Progress& progress) {
     const int stride = std::max(1, static_cast<int>(std::lround(step)));
     const ImageV3 fitted = surface.normal;
     const auto known = [&](int x, int y, std::uint16_t label) {
         return fitted.contains(x, y) && labels(x, y) == label && surface.depth(x, y) > 0;
     };
     Image<std::uint8_t> agrees(labels.width(), labels.height(), 0);
-    const float middle = part.from + 0.4f * (part.to - part.from);
-    const float late = part.from + 0.7f * (part.to - part.from);
-    parallelFor(
-        part.context, part.step, labels.height(),
-        [&](int y) {
-            for (int x = 0; x < labels.width(); ++x) {
-                const std::uint16_t label = labels(x, y);
-                if (label == 0 || !known(x, y, label)) continue;
-                int agreeing = -1, count = -1;  // not the pixel itself
-                for (int j = -kWindow; j <= kWindow; ++j)
-                    for (int i = -kWindow; i <= kWindow; ++i) {
-                        const int u = x + i * stride;
-                        const int v = y + j * stride;
-                        if (!known(u, v, label)) continue;
-                        ++count;
-                        if (fitted(u, v).dot(fitted(x, y)) > kAgreement) ++agreeing;
-                    }
-                agrees(x, y) = static_cast<float>(agreeing) >= kSettledPart * static_cast<float>(count) ? 1 : 0;
-            }
-        },
-        part.from, middle);
+    constexpr float kMiddle = 0.4f;
+    constexpr float kLate = 0.7f;
+    parallelFor(progress.part(0, kMiddle), labels.height(), [&](int y) {
+        for (int x = 0; x < labels.width(); ++x) {
+            const std::uint16_t label = labels(x, y);
+            if (label == 0 || !known(x, y, label)) continue;
+            int agreeing = -1, count = -1;  // not the pixel itself
+            for (int j = -kWindow; j <= kWindow; ++j)
+                for (int i = -kWindow; i <= kWindow; ++i) {
+                    const int u = x + i * stride;
+                    const int v = y + j * stride;
+                    if (!known(u, v, label)) continue;
+                    ++count;
+                    if (fitted(u, v).dot(fitted(x, y)) > kAgreement) ++agreeing;
+                }
+            agrees(x, y) = static_cast<float>(agreeing) >= kSettledPart * static_cast<float>(count) ? 1 : 0;
+        }
+    });
     // In the band neighbours agree by chance here and there: what is settled has settled ones around it.
     Image<std::uint8_t> settled = agrees;
-    parallelFor(
-        part.context, part.step, labels.height(),
-        [&](int y) {
-            for (int x = 0; x < labels.width(); ++x) {
-                const std::uint16_t label = labels(x, y);
-                if (agrees(x, y) == 0) continue;
-                int agreeing = 0, count = 0;
-                for (int j = -kAround; j <= kAround; ++j)
-                    for (int i = -kAround; i <= kAround; ++i) {
+    parallelFor(progress.part(kMiddle, kMiddle), labels.height(), [&](int y) {
+        for (int x = 0; x < labels.width(); ++x) {
+            const std::uint16_t label = labels(x, y);
+            if (agrees(x, y) == 0) continue;
+            int agreeing = 0, count = 0;
+            for (int j = -kAround; j <= kAround; ++j)
+                for (int i = -kAround; i <= kAround; ++i) {
+                    const int u = x + i * stride;
+                    const int v = y + j * stride;
+                    if (!known(u, v, label)) continue;
+                    ++count;
+                    agreeing += agrees(u, v);
+                }
+            if (static_cast<float>(agreeing) < kAgreeingPart * static_cast<float>(count)) settled(x, y) = 0;
+        }
+    });
+    DepthGaps gaps{Image<std::uint8_t>(labels.width(), labels.height(), 0), kMargin * stride, kReaches.back() * stride};
+    parallelFor(progress.part(kMiddle, kLate), labels.height(), [&](int y) {
+        for (int x = 0; x < labels.width(); ++x) {
+            const std::uint16_t label = labels(x, y);
+            if (label == 0 || settled(x, y) != 0 || !known(x, y, label)) continue;
+            for (const int reach : kReaches) {
+                const float falloff = 2 / static_cast<float>(reach * reach);
+                Vector3f sum = Vector3f::Zero();
+                float weights = 0;
+                for (int j = -reach; j <= reach; ++j)
+                    for (int i = -reach; i <= reach; ++i) {
                         const int u = x + i * stride;
                         const int v = y + j * stride;
-                        if (!known(u, v, label)) continue;
-                        ++count;
-                        agreeing += agrees(u, v);
+                        if (!known(u, v, label) || settled(u, v) == 0) continue;
+                        const float weight = std::exp(-falloff * static_cast<float>(i * i + j * j));
+                        sum += weight * fitted(u, v);
+                        weights += weight;
                     }
-                if (static_cast<float>(agreeing) < kAgreeingPart * static_cast<float>(count)) settled(x, y) = 0;
-            }
-        },
-        middle, middle);
-    DepthGaps gaps{Image<std::uint8_t>(labels.width(), labels.height(), 0), kMargin * stride, kReaches.back() * stride};
-    parallelFor(
-        part.context, part.step, labels.height(),
-        [&](int y) {
-            for (int x = 0; x < labels.width(); ++x) {
-                const std::uint16_t label = labels(x, y);
-                if (label == 0 || settled(x, y) != 0 || !known(x, y, label)) continue;
-                for (const int reach : kReaches) {
-                    const float falloff = 2 / static_cast<float>(reach * reach);
-                    Vector3f sum = Vector3f::Zero();
-                    float weights = 0;
-                    for (int j = -reach; j <= reach; ++j)
-                        for (int i = -reach; i <= reach; ++i) {
-                            const int u = x + i * stride;
-                            const int v = y + j * stride;
-                            if (!known(u, v, label) || settled(u, v) == 0) continue;
-                            const float weight = std::exp(-falloff * static_cast<float>(i * i + j * j));
-                            sum += weight * fitted(u, v);
-                            weights += weight;
-                        }
-                    if (weights < kLeastWeight) continue;
-                    const Vector3f normal = sum.normalized();
-                    if (normal.dot(surface.position(x, y)) < 0) {
-                        surface.normal(x, y) = normal;
-                        gaps.isGap(x, y) = 1;
-                    }
-                    break;
+                if (weights < kLeastWeight) continue;
+                const Vector3f normal = sum.normalized();
+                if (normal.dot(surface.position(x, y)) < 0) {
+                    surface.normal(x, y) = normal;
+                    gaps.isGap(x, y) = 1;
                 }
+                break;
             }
-        },
-        middle, late);
+        }
+    });
     const Image<std::uint8_t> moved = gaps.isGap;
-    continueDepth(surface.depth, labels, camera, gaps, {part.context, part.step, late, part.to});
+    continueDepth(surface.depth, labels, camera, gaps, progress.part(kLate, 1));
     for (int y = 0; y < labels.height(); ++y) {
         for (int x = 0; x < labels.width(); ++x) {
             if (moved(x, y) == 0) continue;

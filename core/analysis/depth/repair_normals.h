@@ -13,6 +13,7 @@ namespace core::analysis {
 /// pieces in a band along outlines: single pixels face anywhere, and anything glossy turns them into beads. At a crease
 /// or a round rim half of the neighbours, or those along it, agree: these keep their normals.
 /// `step`: pixels per sample of the depth map, as Photo::depthStep. Pixels without a label are left alone.
-void settleNormals(Surface& surface, const LabelImage& labels, const Camera& camera, float step, const StepPart& part);
+void settleNormals(Surface& surface, const LabelImage& labels, const Camera& camera, float step,
+                   const Progress& progress);
 
 }  // namespace core::analysis

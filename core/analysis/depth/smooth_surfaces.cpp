@@ -76,7 +76,7 @@ class PlateWeights {
     void shorten() {
         if (noise_.sigma <= 0) return;
         constexpr double kShorter = 0.4;
-        constexpr double kWindow = 0.25;  // of the smoothing length to each side
+        constexpr double kSlopeWindow = 0.25;  // of the smoothing length to each side
         const std::size_t row = plate_.stride();
         std::vector<double> sums(plate_.cellCount(), 0), counts(plate_.cellCount(), 0);
         for (int y = 0; y < plate_.height(); ++y) {
@@ -94,7 +94,7 @@ class PlateWeights {
             for (int x = 0; x < plate_.width(); ++x) {
                 const std::size_t i = plate_.at(x, y);
                 if (!plate_.inside(i)) continue;
-                const int half = std::max(1, static_cast<int>(std::lround(kWindow * plate_.length() * local_[i])));
+                const int half = std::max(1, static_cast<int>(std::lround(kSlopeWindow * plate_.length() * local_[i])));
                 const int x0 = std::max(x - half, 0) - 1;
                 const int y0 = std::max(y - half, 0) - 1;
                 const int x1 = std::min(x + half, plate_.width() - 1);
@@ -163,7 +163,7 @@ class PlateWeights {
 
 /// Smooths `levels[0]`, whose data are set and which is the only one.
 void smoothPlate(std::vector<WeakPlate>& levels, double focalLength, const SurfaceSmoothing& smoothing,
-                 const StepPart& part) {
+                 const Progress& progress) {
     const double length = levels[0].length();
     while (levels.back().length() > kCoarsestRatio && std::min(levels.back().width(), levels.back().height()) > 4)
         levels.push_back(levels.back().coarser());
@@ -191,7 +191,7 @@ void smoothPlate(std::vector<WeakPlate>& levels, double focalLength, const Surfa
         for (std::size_t k = weighted + 1; k < levels.size(); ++k) levels[k].restrictFrom(levels[k - 1]);
         for (std::size_t k = levels.size(); k-- > weighted;) {
             if (k + 1 < levels.size()) levels[k].prolongFrom(levels[k + 1]);
-            levels[k].relax(kIterations, part, progressOf(round));
+            levels[k].relax(kIterations, progress.part(progressOf(round), progressOf(round + 1)));
         }
         weights.back().shorten();
         weights.back().update();
@@ -201,14 +201,14 @@ void smoothPlate(std::vector<WeakPlate>& levels, double focalLength, const Surfa
         weights.push_back(weightsOf(k));
         weights.back().takeLengths(weights[weights.size() - 2]);
         weights.back().update();
-        levels[k].relax(kFollowing, part, progressOf(kRounds));
+        levels[k].relax(kFollowing, progress.part(progressOf(kRounds), 1));
     }
 }
 
 }  // namespace
 
 void smoothSurfaces(ImageF& depth, const Image<std::uint8_t>& measured, const LabelImage& labels, const Camera& camera,
-                    std::span<const SurfaceSmoothing> segments, const StepPart& part) {
+                    std::span<const SurfaceSmoothing> segments, const Progress& progress) {
     struct Extent {
         PixelBox box;
         std::size_t count = 0;
@@ -228,9 +228,9 @@ void smoothSurfaces(ImageF& depth, const Image<std::uint8_t>& measured, const La
     }
     for (std::size_t s = 0; s < segments.size(); ++s) {
         const auto share = [&](std::size_t done) {
-            return part.from + (part.to - part.from) * static_cast<float>(done) / static_cast<float>(segments.size());
+            return static_cast<float>(done) / static_cast<float>(segments.size());
         };
-        const StepPart own{part.context, part.step, share(s), share(s + 1)};
+        const Progress own = progress.part(share(s), share(s + 1));
         const std::uint16_t label = segments[s].label;
         const auto& [box, count, nearest, farthest] = extents[label];
         const auto length = static_cast<double>(segments[s].length);

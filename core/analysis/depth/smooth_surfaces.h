@@ -29,6 +29,6 @@ struct SurfaceSmoothing {
 /// at the outline; segments do not feel each other. What is not `measured` (0) is spanned by the plate. Solved from
 /// coarse to fine; time per pixel does not grow with the length. The same result on any number of threads. Cancellable.
 void smoothSurfaces(ImageF& depth, const Image<std::uint8_t>& measured, const LabelImage& labels, const Camera& camera,
-                    std::span<const SurfaceSmoothing> segments, const StepPart& part);
+                    std::span<const SurfaceSmoothing> segments, const Progress& progress);
 
 }  // namespace core::analysis

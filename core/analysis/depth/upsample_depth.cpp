@@ -23,7 +23,7 @@ Vector3f encoded(const Vector3f& color) { return color.cwiseMax(0.0f).cwiseMin(1
 /// Mean encoded colour of the photograph's pixels below every pixel of the map.
 ImageRgb averageColors(const ImageRgb& guide, int width, int height) {
     ImageRgb result(width, height);
-    parallelFor({}, "Load photo", height, [&](int j) {
+    parallelFor(Progress(), height, [&](int j) {
         const int y0 = static_cast<int>(static_cast<long>(j) * guide.height() / height);
         const int y1 = std::max(y0 + 1, static_cast<int>(static_cast<long>(j + 1) * guide.height() / height));
         for (int i = 0; i < width; ++i) {
@@ -173,7 +173,7 @@ ImageF upsampleDepth(const ImageF& depth, int width, int height, const ImageRgb*
     ImageF result(width, height);
     const float scaleX = static_cast<float>(depth.width()) / static_cast<float>(width);
     const float scaleY = static_cast<float>(depth.height()) / static_cast<float>(height);
-    parallelFor({}, "Load photo", height, [&](int y) {
+    parallelFor(Progress(), height, [&](int y) {
         const float v = (static_cast<float>(y) + 0.5f) * scaleY - 0.5f;
         const int j = static_cast<int>(std::floor(v));
         for (int x = 0; x < width; ++x) {

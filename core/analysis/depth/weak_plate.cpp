@@ -176,7 +176,7 @@ void WeakPlate::apply(const std::vector<double>& of, std::vector<double>& image)
     });
 }
 
-void WeakPlate::relax(int iterations, const StepPart& part, float progress) {
+void WeakPlate::relax(int iterations, const Progress& progress) {
     prepareOperator();
     const std::size_t count = inside_.size();
     std::vector<double> residual(count, 0), scaled(count, 0), direction(count, 0), image(count, 0), inverse(count, 0);
@@ -191,7 +191,7 @@ void WeakPlate::relax(int iterations, const StepPart& part, float progress) {
     });
     double before = dotProduct(*this, residual, scaled);
     for (int iteration = 0; iteration < iterations && before > 0; ++iteration) {
-        part.checkpoint(progress);
+        progress.checkpoint(0);
         apply(direction, image);
         const double curvature = dotProduct(*this, direction, image);
         if (!(curvature > 0)) return;

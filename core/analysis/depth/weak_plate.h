@@ -45,7 +45,7 @@ class WeakPlate {
     void prolongFrom(const WeakPlate& coarse);
     /// Conjugate gradients from the values as they are towards those of least energy. The same on any number of
     /// threads. Cancellable; reports `progress` of `part`.
-    void relax(int iterations, const StepPart& part, float progress);
+    void relax(int iterations, const Progress& progress);
 
     /// √(v_xx² + 2 v_xy² + v_yy²) about a cell, of values or data.
     [[nodiscard]] double bendOfValues(std::size_t cell) const { return bend(value_, cell); }

@@ -247,7 +247,7 @@ struct ProfileFit {
 /// Raises one highlight by the profile and radiance whose tails explain, in the least squares sense, what the unclipped
 /// observations around show more than their surroundings do; and takes the tails out of the light there.
 void recoverHighlight(DirectionalMap& light, const Highlight& highlight, std::span<const LobeObservations> sources,
-                      float texelAngle, const char* stepName, const StepContext& context, float fraction) {
+                      float texelAngle, const StepContext& context) {
     const int width = light.radiance.width();
     const int height = light.radiance.height();
     float alpha = 0;
@@ -258,7 +258,7 @@ void recoverHighlight(DirectionalMap& light, const Highlight& highlight, std::sp
     // The surroundings without the highlight: a membrane over where its tails are.
     DirectionalMap ground{light.radiance, light.coverage};
     for (const std::uint32_t i : near) ground.coverage[i] = 0;
-    fillDirections(ground, EnvironmentFill::Membrane, Vector3f::Zero(), stepName, context, fraction, fraction);
+    fillDirections(ground, EnvironmentFill::Membrane, Vector3f::Zero(), context);
     ImageF depth(width, height, 0.0f);
     for (std::size_t k = 0; k < highlight.texels.size(); ++k) {
         depth[highlight.texels[k]] = highlight.depth[k];
@@ -325,8 +325,7 @@ void recoverHighlight(DirectionalMap& light, const Highlight& highlight, std::sp
 
 }  // namespace
 
-void deconvolve(DirectionalMap& light, std::span<const LobeObservations> sources, const char* stepName,
-                const StepContext& context, float from, float to) {
+void deconvolve(DirectionalMap& light, std::span<const LobeObservations> sources, const StepContext& context) {
     const int width = light.radiance.width();
     const int height = light.radiance.height();
     const float texelAngle = std::numbers::pi_v<float> / static_cast<float>(height);
@@ -338,14 +337,14 @@ void deconvolve(DirectionalMap& light, std::span<const LobeObservations> sources
 
     std::vector<System> systems;
     for (const LobeObservations& source : sources) {
-        context.checkpoint(stepName, from);
+        context.progress.checkpoint(0);
         systems.emplace_back(source, observedTexels(source), kLobeSamples, texelAngle);
     }
     ImageRgb factor(width, height);
     ImageRgb weight(width, height);
-    const float middle = light.clipped.empty() ? to : 0.5f * (from + to);
+    const float middle = light.clipped.empty() ? 1.0f : 0.5f;
     for (int iteration = 0; iteration < kFactorIterations; ++iteration) {
-        context.checkpoint(stepName, from + (middle - from) * static_cast<float>(iteration) / kFactorIterations);
+        context.progress.checkpoint(middle * static_cast<float>(iteration) / kFactorIterations);
         std::ranges::fill(factor.pixels(), Vector3f::Zero());
         std::ranges::fill(weight.pixels(), Vector3f::Zero());
         for (const System& system : systems) system.vote(light.radiance, factor, weight);
@@ -358,9 +357,8 @@ void deconvolve(DirectionalMap& light, std::span<const LobeObservations> sources
     std::ranges::stable_sort(highlights, std::greater<>(), [](const Highlight& h) { return h.texels.size(); });
     highlights.resize(std::min(highlights.size(), kMaxHighlights));
     for (std::size_t k = 0; k < highlights.size(); ++k) {
-        const float fraction = middle + (to - middle) * static_cast<float>(k) / static_cast<float>(highlights.size());
-        context.checkpoint(stepName, fraction);
-        recoverHighlight(light, highlights[k], sources, texelAngle, stepName, context, fraction);
+        const float fraction = middle + (1 - middle) * static_cast<float>(k) / static_cast<float>(highlights.size());
+        recoverHighlight(light, highlights[k], sources, texelAngle, context.part(fraction, fraction));
     }
 }
 

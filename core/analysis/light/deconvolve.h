@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "core/analysis/step_context.h"
 #include "core/base/directional_map.h"
-#include "core/base/progress.h"
 
 namespace core::analysis {
 
@@ -29,7 +29,6 @@ struct LobeObservations {
 /// Then every highlight (neighbouring texels whose observations were all clipped) is raised by what its tails need: a
 /// lobe spreads it over unclipped observations around, and these tell how much energy it has. Only texels of `light`
 /// with coverage change; maps of more than 512 rows are left as they are.
-void deconvolve(DirectionalMap& light, std::span<const LobeObservations> sources, const char* stepName,
-                const StepContext& context, float from, float to);
+void deconvolve(DirectionalMap& light, std::span<const LobeObservations> sources, const StepContext& context);
 
 }  // namespace core::analysis

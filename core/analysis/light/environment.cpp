@@ -12,15 +12,14 @@
 namespace core::analysis {
 namespace {
 
-constexpr const char* kName = "Environment";
 constexpr float kUnreliableConfidence = 0.2f;
 
 /// Distant pixels: light seen directly.
 DirectionalMap distantLight(const Photo& photo, const Image<std::uint8_t>& distant, int mapHeight,
-                            const StepContext& context) {
+                            const Progress& progress) {
     DirectionalAccumulator sum(mapHeight);
     for (int y = 0; y < distant.height(); ++y) {
-        context.checkpoint(kName, 0.2f * static_cast<float>(y) / static_cast<float>(distant.height()));
+        progress.checkpoint(static_cast<float>(y) / static_cast<float>(distant.height()));
         for (int x = 0; x < distant.width(); ++x) {
             if (distant(x, y) != 0)
                 sum.add(photo.camera.pixelRay(x, y).normalized(), photo.color(x, y), 1, clippedChannels(photo, x, y));
@@ -90,7 +89,8 @@ DirectionalMap recoverEnvironment(const Scene& scene, const Surface& front, cons
     const int mapHeight = std::clamp(params.height, 4, 2048);
     std::vector<LobeObservations> sources;
     std::vector<const SegmentReflections*> mirrors;  // all sources but the first
-    sources.push_back({distantLight(*scene.photo, distant, mapHeight, context), 0, {0, 0, 1}, 1});
+    sources.push_back(
+        {distantLight(*scene.photo, distant, mapHeight, context.progress.part(0, 0.2f)), 0, {0, 0, 1}, 1});
     bool mirrored = false;
     for (std::size_t i = 0; i < reflections.size(); ++i) {
         const Reflectance& reflectance = *reflectances[i];
@@ -117,25 +117,25 @@ DirectionalMap recoverEnvironment(const Scene& scene, const Surface& front, cons
     }
     DirectionalMap map = merge(sources, mapHeight);
     if (mirrored) {
-        fillDirections(map, params.fill, Vector3f::Zero(), kName, context, 0.2f, 0.4f);
-        deconvolve(map, sources, kName, context, 0.4f, 0.8f);
+        fillDirections(map, params.fill, Vector3f::Zero(), context.part(0.2f, 0.4f));
+        deconvolve(map, sources, context.part(0.4f, 0.8f));
     }
     if (params.image && !params.image->empty()) {
-        const DirectionalMap user = userEnvironment(*params.image, params.rotation, params.scale, mapHeight, context);
-        completeDirections(map, user.radiance, kName, context, 0.9f);
+        const DirectionalMap user =
+            userEnvironment(*params.image, params.rotation, params.scale, mapHeight, context.progress.part(0.8f, 0.9f));
+        completeDirections(map, user.radiance, context.part(0.9f, 0.9f));
     } else if (mirrored) {
-        fillDirections(map, params.fill, Vector3f::Zero(), kName, context, 0.8f, 1.0f);
+        fillDirections(map, params.fill, Vector3f::Zero(), context.part(0.8f, 1.0f));
     } else {
-        const ShadingLight light = lightFromShading(*scene.photo, front, context, kName, 0.8f);
-        completeDirections(map, toMap(light, 2 * mapHeight, mapHeight), kName, context, 0.9f);
+        const ShadingLight light = lightFromShading(*scene.photo, front, context.progress.part(0.8f, 0.8f));
+        completeDirections(map, toMap(light, 2 * mapHeight, mapHeight), context.part(0.9f, 0.9f));
     }
     for (std::size_t i = 0; i < seen.size(); ++i)
         if (seen[i] == 0) map.coverage[i] = 0;
     return map;
 }
 
-DirectionalMap userEnvironment(const ImageRgb& image, float rotation, float scale, int rows,
-                               const StepContext& context) {
+DirectionalMap userEnvironment(const ImageRgb& image, float rotation, float scale, int rows, const Progress& progress) {
     const int height = std::max(rows, 1);
     const int width = 2 * height;
     DirectionalMap map{ImageRgb(width, height), ImageF(width, height, 1.0f)};
@@ -147,7 +147,7 @@ DirectionalMap userEnvironment(const ImageRgb& image, float rotation, float scal
     const int countY = samples(image.height(), height);
     const DirectionalMap source{image, {}};
     const Vector2f size(static_cast<float>(image.width()), static_cast<float>(image.height()));
-    parallelFor(context, kName, height, [&](int y) {
+    parallelFor(progress, height, [&](int y) {
         for (int x = 0; x < width; ++x) {
             Vector3f sum = Vector3f::Zero();
             for (int j = 0; j < countY; ++j) {
@@ -170,7 +170,7 @@ DirectionalMap userEnvironment(const ImageRgb& image, float rotation, float scal
 
 Step environmentStep() {
     Step step;
-    step.name = kName;
+    step.task = Task::RecoverEnvironment;
     step.reads = {Item::Photo, Item::Depth, Item::Front, Item::Reflectances, Item::UserEnvironment};
     step.writes = Item::Environment;
     step.params = [](const Scene& scene, Hash& hash) {
@@ -185,10 +185,10 @@ Step environmentStep() {
         const EnvironmentParams& p = scene.environment;
         const bool replaced = p.image && !p.image->empty() && p.use == EnvironmentUse::Replace;
         board.environment = std::make_shared<DirectionalMap>(
-            replaced
-                ? userEnvironment(*p.image, p.rotation, p.scale, std::min(p.image->height(), kMaxUserRows), context)
-                : recoverEnvironment(scene, *board.front, board.depth->distant, board.reflectances, board.reflections,
-                                     context));
+            replaced ? userEnvironment(*p.image, p.rotation, p.scale, std::min(p.image->height(), kMaxUserRows),
+                                       context.progress)
+                     : recoverEnvironment(scene, *board.front, board.depth->distant, board.reflectances,
+                                          board.reflections, context));
     };
     return step;
 }

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/analysis/light/reflectance.h"
+#include "core/analysis/step_context.h"
 
 namespace core::analysis {
 
@@ -24,7 +25,7 @@ namespace core::analysis {
 /// scaled, resampled to width = 2·height where it is not, to `rows` rows by area averages. Coverage 1
 /// everywhere.
 [[nodiscard]] DirectionalMap userEnvironment(const ImageRgb& image, float rotation, float scale, int rows,
-                                             const StepContext& context);
+                                             const Progress& progress);
 
 inline constexpr int kMaxUserRows = 1024;  ///< rows of a map that takes the place of the recovered one
 

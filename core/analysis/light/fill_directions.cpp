@@ -14,8 +14,7 @@ namespace {
 
 /// Laplace's equation, or with `screen` > 0 [rad] the screened one, Δu = u/screen², on the sphere of the map's texels:
 /// u is given where coverage > 0. From coarse to fine, so that every level only has to settle its own detail.
-void solveMembrane(const ImageF& coverage, ImageRgb& values, float screen, const StepContext& context,
-                   const char* stepName, float fraction) {
+void solveMembrane(const ImageF& coverage, ImageRgb& values, float screen, const StepContext& context) {
     const int width = values.width();
     const int height = values.height();
     if (height >= 16 && height % 2 == 0) {
@@ -30,7 +29,7 @@ void solveMembrane(const ImageF& coverage, ImageRgb& values, float screen, const
         }
         for (std::size_t i = 0; i < coarse.size(); ++i)
             if (coarseCoverage[i] > 0) coarse[i] /= coarseCoverage[i];
-        solveMembrane(coarseCoverage, coarse, screen, context, stepName, fraction);
+        solveMembrane(coarseCoverage, coarse, screen, context);
         const DirectionalMap guess{std::move(coarse), {}};
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x)
@@ -39,17 +38,16 @@ void solveMembrane(const ImageF& coverage, ImageRgb& values, float screen, const
                         {0.5f * (static_cast<float>(x) + 0.5f), 0.5f * (static_cast<float>(y) + 0.5f)});
     }
 
-    context.kernels().relaxMembrane(coverage, membraneRows(height, screen), values,
-                                    {context, stepName, fraction, fraction});
+    context.kernels.relaxMembrane(coverage, membraneRows(height, screen), values, context.progress.part(0, 0));
 }
 
-void fillMembrane(DirectionalMap& map, const StepContext& context, const char* stepName, float fraction) {
+void fillMembrane(DirectionalMap& map, const StepContext& context) {
     // Logarithms need a floor: a thousandth of the mean of what was observed.
     const Vector3f floor = (map.mean(std::numeric_limits<float>::min()) * 1e-3f).cwiseMax(1e-9f);
     DirectionalMap logarithms{ImageRgb(map.radiance.width(), map.radiance.height(), Vector3f::Zero()), map.coverage};
     for (std::size_t i = 0; i < map.radiance.size(); ++i)
         if (map.coverage[i] > 0) logarithms.radiance[i] = map.radiance[i].cwiseMax(floor).array().log();
-    solveMembrane(map.coverage, logarithms.radiance, 0, context, stepName, fraction);
+    solveMembrane(map.coverage, logarithms.radiance, 0, context);
     for (std::size_t i = 0; i < map.radiance.size(); ++i)
         if (!(map.coverage[i] > 0)) map.radiance[i] = logarithms.radiance[i].array().exp();
 }
@@ -95,25 +93,23 @@ DirectionalMap DirectionalAccumulator::map() const {
     return result;
 }
 
-void fillDirections(DirectionalMap& map, EnvironmentFill method, const Vector3f& fallback, const char* stepName,
-                    const StepContext& context, float from, float to) {
+void fillDirections(DirectionalMap& map, EnvironmentFill method, const Vector3f& fallback, const StepContext& context) {
     if (std::ranges::none_of(map.coverage.pixels(), [](float c) { return c > 0; })) {
         std::ranges::fill(map.radiance.pixels(), fallback);
     } else if (method == EnvironmentFill::Shepard) {
-        context.kernels().fillShepard(DirectionTree(map), map, {context, stepName, from, to});
+        context.kernels.fillShepard(DirectionTree(map), map, context.progress);
     } else {
-        fillMembrane(map, context, stepName, 0.5f * (from + to));
+        fillMembrane(map, context.part(0.5f, 0.5f));
     }
 }
 
-void completeDirections(DirectionalMap& map, const ImageRgb& user, const char* stepName, const StepContext& context,
-                        float fraction) {
+void completeDirections(DirectionalMap& map, const ImageRgb& user, const StepContext& context) {
     CORE_ASSERT(map.radiance.sameSize(user), "maps of one size");
     constexpr float kBlend = 0.06f;  // [rad]: the difference falls to a twentieth within ten degrees
     ImageRgb difference(user.width(), user.height(), Vector3f::Zero());
     for (std::size_t i = 0; i < user.size(); ++i)
         if (map.coverage[i] > 0) difference[i] = map.radiance[i] - user[i];
-    solveMembrane(map.coverage, difference, kBlend, context, stepName, fraction);
+    solveMembrane(map.coverage, difference, kBlend, context);
     for (std::size_t i = 0; i < user.size(); ++i)
         if (!(map.coverage[i] > 0)) map.radiance[i] = (user[i] + difference[i]).cwiseMax(0.0f);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/analysis/step_context.h"
 #include "core/base/directional_map.h"
-#include "core/base/progress.h"
 #include "core/scene/scene.h"
 
 namespace core::analysis {
@@ -32,13 +32,11 @@ class DirectionalAccumulator {
 ///
 /// Membrane: Laplace's equation on the sphere for the logarithm of radiance, with the observed texels as its boundary:
 /// as smooth as can be, and a sun at the edge of what was observed does not spread over what was not.
-void fillDirections(DirectionalMap& map, EnvironmentFill method, const Vector3f& fallback, const char* stepName,
-                    const StepContext& context, float from = 0, float to = 1);
+void fillDirections(DirectionalMap& map, EnvironmentFill method, const Vector3f& fallback, const StepContext& context);
 
 /// Fills texels without coverage by the user's map, drawn towards what was observed beside it over about
 /// ten degrees, so that no edge shows. Same size. Coverage is not changed;
 /// progress stays at `fraction`.
-void completeDirections(DirectionalMap& map, const ImageRgb& user, const char* stepName, const StepContext& context,
-                        float fraction = 0);
+void completeDirections(DirectionalMap& map, const ImageRgb& user, const StepContext& context);
 
 }  // namespace core::analysis

@@ -109,9 +109,8 @@ float ShadingLight::radiance(const Vector3f& d) const {
     return mean * scale * std::exp(k * axis.dot(d));
 }
 
-ShadingLight lightFromShading(const Photo& photo, const Surface& front, const StepContext& context,
-                              const char* stepName, float fraction) {
-    context.checkpoint(stepName, fraction);
+ShadingLight lightFromShading(const Photo& photo, const Surface& front, const Progress& progress) {
+    progress.checkpoint(0);
     std::vector<float> luminances;
     std::vector<std::size_t> shaded;
     Eigen::Vector3d meanNormal = Eigen::Vector3d::Zero();
@@ -136,7 +135,7 @@ ShadingLight lightFromShading(const Photo& photo, const Surface& front, const St
         if (clippedChannels(photo, x, y) != 0 || !isInterior(photo.labels, front.depth, x, y)) continue;
         pixels.push_back({front.normal[i], std::log(luminance(photo.color[i])), photo.labels[i]});
     }
-    context.checkpoint(stepName, fraction);
+    progress.checkpoint(0);
     const Vector3f gradient = fitGradient(pixels);
     const float length = gradient.norm();
     if (length > 1e-4f) light.axis = gradient / length;

@@ -22,7 +22,6 @@ struct ShadingLight {
 /// surfaces in a photograph reflect 18 % on the average, as cameras meter it, and none more than 80 %. White, because
 /// photographs are white balanced. 1 from everywhere when
 /// there is no light or no depth in it.
-[[nodiscard]] ShadingLight lightFromShading(const Photo& photo, const Surface& front, const StepContext& context,
-                                            const char* stepName, float fraction);
+[[nodiscard]] ShadingLight lightFromShading(const Photo& photo, const Surface& front, const Progress& progress);
 
 }  // namespace core::analysis

@@ -17,7 +17,6 @@
 namespace core::analysis {
 namespace {
 
-constexpr const char* kReflectanceStep = "Reflectance";
 constexpr int kIncidentRays = 1 << 16;
 constexpr std::size_t kMaxTracedPixels = 400000;  // of a segment that are traced; more would not be seen in the maps
 constexpr std::size_t kMaxProbes = 1500;
@@ -333,7 +332,7 @@ LobeProbe readProbe(const Tracer& tracer, const Mirror& mirror, std::span<const 
 
 std::optional<LobeFit> probeAndFit(const Tracer& tracer, AnalysisKernels::RayMarcher& marcher,
                                    std::span<const Mirror> mirrors, std::uint16_t label, const DirectionalMap& missed,
-                                   const Vector3f& rho, const StepPart& part) {
+                                   const Vector3f& rho, const Progress& progress) {
     std::vector<const Mirror*> candidates;
     for (const Mirror& mirror : mirrors)
         if (mirror.ending.kind == Ending::Known && tracer.clipped(mirror.x, mirror.y) == 0)
@@ -346,7 +345,7 @@ std::optional<LobeFit> probeAndFit(const Tracer& tracer, AnalysisKernels::RayMar
     std::vector<MarchRay> rays(count * kProbeRays);
     for (std::size_t i = 0; i < count; ++i)
         aimProbe(tracer.front, mirrorOf(i), std::span(rays).subspan(i * kProbeRays, kProbeRays));
-    const auto hits = marcher.march(rays, 0, part);
+    const auto hits = marcher.march(rays, 0, progress);
     std::vector<LobeProbe> probes;
     for (std::size_t i = 0; i < count; ++i)
         probes.push_back(readProbe(tracer, mirrorOf(i), std::span(rays).subspan(i * kProbeRays, kProbeRays),
@@ -359,14 +358,13 @@ std::optional<LobeFit> probeAndFit(const Tracer& tracer, AnalysisKernels::RayMar
 SegmentReflections estimateReflectance(const Scene& scene, const Surface& front, const Surface& back,
                                        AnalysisKernels::RayMarcher& marcher, const Image<std::uint8_t>& distant,
                                        const ContinuedSupports& continued, std::uint16_t label,
-                                       const StepContext& context, float from, float to) {
+                                       const StepContext& context) {
     const Photo& photo = *scene.photo;
     const Camera& camera = photo.camera;
     const int mapHeight = std::clamp(scene.environment.height, 4, 2048);
     const float texelAngle = std::numbers::pi_v<float> / static_cast<float>(mapHeight);
     const int width = front.depth.width();
     const int height = front.depth.height();
-    const auto part = [&](float fraction) { return from + fraction * (to - from); };
     std::vector<bool> glossy(65536, false);
     for (const Segment& segment : scene.segments) glossy[segment.label] = segment.glossy;
     const Tracer tracer{scene, front, back, glossy, distant, continued};
@@ -404,13 +402,11 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
         mirrors.resize(used.size() / stride);
         constexpr std::size_t kChunk = 512;
         const auto forEachMirror = [&](const auto& visit, float begin, float end) {
-            parallelFor(
-                context, kReflectanceStep, static_cast<int>((mirrors.size() + kChunk - 1) / kChunk),
-                [&](int chunk) {
-                    const std::size_t first = static_cast<std::size_t>(chunk) * kChunk;
-                    for (std::size_t i = first; i < std::min(mirrors.size(), first + kChunk); ++i) visit(i);
-                },
-                part(begin), part(end));
+            parallelFor(context.progress.part(begin, end), static_cast<int>((mirrors.size() + kChunk - 1) / kChunk),
+                        [&](int chunk) {
+                            const std::size_t first = static_cast<std::size_t>(chunk) * kChunk;
+                            for (std::size_t i = first; i < std::min(mirrors.size(), first + kChunk); ++i) visit(i);
+                        });
         };
         std::vector<MarchRay> mirrored(mirrors.size());
         forEachMirror(
@@ -426,7 +422,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
                 mirrored[i] = {mirror.origin, mirror.direction};
             },
             0, 0.05f);
-        const auto hits = marcher.march(mirrored, 0, {context, kReflectanceStep, part(0.05f), part(0.35f)});
+        const auto hits = marcher.march(mirrored, 0, context.progress.part(0.05f, 0.35f));
         std::vector<float> weights(mirrors.size(), 1.0f);
         const int block = std::max(kMinBlock, static_cast<int>(std::sqrt(static_cast<double>(pixels.size())) / 8));
         forEachMirror(
@@ -462,7 +458,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
         std::vector<MarchRay> rays;
         for (int i = 0; i < kIncidentRays; ++i)
             rays.push_back({center.cast<float>(), fibonacciDirection(i, kIncidentRays)});
-        const auto ends = marcher.march(rays, label, {context, kReflectanceStep, part(0.4f), part(0.6f)});
+        const auto ends = marcher.march(rays, label, context.progress.part(0.4f, 0.6f));
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const Ending ray = tracer.endingOf(ends[i], rays[i], label);
             if (ray.kind == Ending::Known || ray.kind == Ending::Distant) incident.add(ray.direction, ray.color);
@@ -483,8 +479,8 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
     estimate.reliable = better.solidAngle >= kMinCommonSolidAngle;
     estimate.rho = better.rho;
     if (estimate.reliable) {
-        const auto fit = probeAndFit(tracer, marcher, mirrors, label, result.missed, better.rho,
-                                     {context, kReflectanceStep, part(0.6f), part(0.8f)});
+        const auto fit =
+            probeAndFit(tracer, marcher, mirrors, label, result.missed, better.rho, context.progress.part(0.6f, 0.8f));
         if (fit && fit->reliable) {
             estimate.alpha = fit->alpha;
             estimate.alphaReliable = true;
@@ -502,9 +498,9 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
     }
     const Vector3f fallback = meanColor(photo.color);
     const EnvironmentFill fill = scene.environment.fill;
-    fillDirections(filled, fill, fallback, kReflectanceStep, context, part(0.8f), part(0.9f));
+    fillDirections(filled, fill, fallback, context.part(0.8f, 0.9f));
     estimate.incident.radiance = std::move(filled.radiance);
-    fillDirections(estimate.reflected, fill, fallback, kReflectanceStep, context, part(0.9f), part(1));
+    fillDirections(estimate.reflected, fill, fallback, context.part(0.9f, 1));
 
     if (!estimate.reliable) {
         const Vector3f below = estimate.incident.mean();
@@ -521,7 +517,7 @@ SegmentReflections estimateReflectance(const Scene& scene, const Surface& front,
 
 Step reflectanceStep() {
     Step step;
-    step.name = kReflectanceStep;
+    step.task = Task::EstimateReflectance;
     step.reads = {Item::Photo, Item::Depth, Item::Front, Item::Back, Item::Layers};
     step.writes = Item::Reflectances;
     step.params = [](const Scene& scene, Hash& hash) {
@@ -543,7 +539,7 @@ Step reflectanceStep() {
         hash.add(board.layersKey).add(scene.environment.height).add(scene.environment.fill);
         for (const Segment* segment : glossy) hash.add(segment->label);
 
-        const auto marcher = context.kernels().rayMarcher(*board.layers);
+        const auto marcher = context.kernels.rayMarcher(*board.layers);
         const ContinuedSupports continued(scene.photo->camera, scene.photo->labels, *board.front);
         std::vector<std::shared_ptr<const Reflectance>> results;
         std::vector<std::shared_ptr<const SegmentReflections>> reflections;
@@ -553,8 +549,8 @@ Step reflectanceStep() {
             if (!cached.reflections || cached.key != hash.value()) {
                 const auto count = static_cast<float>(glossy.size());
                 cached.reflections = std::make_shared<SegmentReflections>(estimateReflectance(
-                    scene, *board.front, board.back->surface, *marcher, board.depth->distant, continued, label, context,
-                    static_cast<float>(i) / count, static_cast<float>(i + 1) / count));
+                    scene, *board.front, board.back->surface, *marcher, board.depth->distant, continued, label,
+                    context.part(static_cast<float>(i) / count, static_cast<float>(i + 1) / count)));
                 cached.key = hash.value();
             }
             auto result = std::make_shared<Reflectance>(cached.reflections->estimate);

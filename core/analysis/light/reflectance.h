@@ -7,6 +7,7 @@
 #include "core/analysis/light/fill_directions.h"
 #include "core/analysis/segment/continued_supports.h"
 #include "core/analysis/step.h"
+#include "core/analysis/step_context.h"
 
 namespace core::analysis {
 
@@ -46,7 +47,7 @@ struct SegmentReflections {
                                                      AnalysisKernels::RayMarcher& marcher,
                                                      const Image<std::uint8_t>& distant,
                                                      const ContinuedSupports& continued, std::uint16_t label,
-                                                     const StepContext& context, float from, float to);
+                                                     const StepContext& context);
 
 /// The estimate contradicts itself: the segment has colours of its own beside what it mirrors.
 [[nodiscard]] inline bool showsMoreThanItMirrors(const Reflectance& estimate) {

@@ -86,18 +86,15 @@ void DirectionTree::gather(int level, int x, int y, const Vector3f& direction, V
                 [&](int fx, int fy) { gather(level - 1, fx, fy, direction, sum, weight); });
 }
 
-void fillShepard(const DirectionTree& tree, DirectionalMap& map, const StepPart& part) {
+void fillShepard(const DirectionTree& tree, DirectionalMap& map, const Progress& progress) {
     const int width = map.radiance.width();
     const int height = map.radiance.height();
-    parallelFor(
-        part.context, part.step, height,
-        [&](int y) {
-            for (int x = 0; x < width; ++x)
-                if (!(map.coverage(x, y) > 0))
-                    map.radiance(x, y) = tree.interpolate(DirectionalMap::directionFromTexel(
-                        {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}, width, height));
-        },
-        part.from, part.to);
+    parallelFor(progress, height, [&](int y) {
+        for (int x = 0; x < width; ++x)
+            if (!(map.coverage(x, y) > 0))
+                map.radiance(x, y) = tree.interpolate(DirectionalMap::directionFromTexel(
+                    {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}, width, height));
+    });
 }
 
 }  // namespace core::analysis

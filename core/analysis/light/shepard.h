@@ -39,6 +39,6 @@ class DirectionTree {
 };
 
 /// Fills the texels without coverage by `DirectionTree::interpolate`, on the CPU.
-void fillShepard(const DirectionTree& tree, DirectionalMap& map, const StepPart& part);
+void fillShepard(const DirectionTree& tree, DirectionalMap& map, const Progress& progress);
 
 }  // namespace core::analysis

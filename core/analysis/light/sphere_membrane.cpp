@@ -24,11 +24,12 @@ std::vector<MembraneRow> membraneRows(int height, float screen) {
     return rows;
 }
 
-void relaxMembrane(const ImageF& coverage, std::span<const MembraneRow> rows, ImageRgb& values, const StepPart& part) {
+void relaxMembrane(const ImageF& coverage, std::span<const MembraneRow> rows, ImageRgb& values,
+                   const Progress& progress) {
     const int width = values.width();
     const int height = values.height();
     for (int sweep = 0; sweep < kMembraneSweeps; ++sweep) {
-        part.checkpoint(static_cast<float>(sweep) / kMembraneSweeps);
+        progress.checkpoint(static_cast<float>(sweep) / kMembraneSweeps);
         for (int parity = 0; parity < 2; ++parity) {
             tbb::parallel_for(tbb::blocked_range<int>(0, height, 16), [&](const tbb::blocked_range<int>& range) {
                 for (int y = range.begin(); y != range.end(); ++y) {

@@ -23,6 +23,7 @@ inline constexpr float kMembraneOverRelaxation = 1.7f;
 
 /// `kMembraneSweeps` sweeps of red-black successive over-relaxation over the texels without coverage, on the CPU. The
 /// texels of one colour only depend on those of the other: any order gives the same result. The width is even.
-void relaxMembrane(const ImageF& coverage, std::span<const MembraneRow> rows, ImageRgb& values, const StepPart& part);
+void relaxMembrane(const ImageF& coverage, std::span<const MembraneRow> rows, ImageRgb& values,
+                   const Progress& progress);
 
 }  // namespace core::analysis
