@@ -63,11 +63,10 @@ class BindGroup : public Handle<detail::BindGroupImpl> {
 struct PipelineLayoutDescriptor {
     std::string label = {};
     std::vector<BindGroupLayout> bindGroupLayouts = {};  ///< index = group (GLSL set)
-    std::uint32_t pushConstantSize = 0;                  ///< bytes, a multiple of 4
-    ShaderStage pushConstantStages = ShaderStage::Compute;
+    std::uint32_t immediateSize = 0;                     ///< [bytes] a multiple of 4 up to kMaxImmediateSize
 };
 
-/// The groups and push constants of a pipeline.
+/// The groups and immediates of a pipeline.
 class PipelineLayout : public Handle<detail::PipelineLayoutImpl> {
   public:
     using Handle::Handle;

@@ -73,12 +73,14 @@ class ComputePassEncoder : public Handle<detail::ComputePassImpl> {
     /// One dynamic offset [bytes] per entry with hasDynamicOffset, by rising binding.
     void setBindGroup(std::uint32_t index, const BindGroup& group,
                       std::span<const std::uint32_t> dynamicOffsets = {}) const;
-    /// The shader's whole push constant block; after setPipeline. C++ tail padding (up to 16 bytes) is accepted.
-    void setPushConstants(const void* data, std::size_t size) const;
+    /// Sets bytes [rangeOffset, rangeOffset + size) of the shader's immediates (GLSL: its push_constant block),
+    /// multiples of 4 within kMaxImmediateSize. They stay set for all later dispatches of the pass, whatever the
+    /// pipeline; a dispatch needs every byte its pipeline declares and ignores the rest.
+    void setImmediates(std::uint32_t rangeOffset, const void* data, std::size_t size) const;
     template <class T>
     requires(std::is_trivially_copyable_v<T> &&
-             sizeof(T) <= kMaxPushConstantSize) void setPushConstants(const T& block) const {
-        setPushConstants(&block, sizeof(T));
+             sizeof(T) <= kMaxImmediateSize) void setImmediates(std::uint32_t rangeOffset, const T& block) const {
+        setImmediates(rangeOffset, &block, sizeof(T));
     }
 
     /// Runs x*y*z workgroups. A count of 0 does nothing.
@@ -101,11 +103,11 @@ class RenderPassEncoder : public Handle<detail::RenderPassImpl> {
     void setPipeline(const RenderPipeline& pipeline) const;
     void setBindGroup(std::uint32_t index, const BindGroup& group,
                       std::span<const std::uint32_t> dynamicOffsets = {}) const;
-    void setPushConstants(const void* data, std::size_t size) const;
+    void setImmediates(std::uint32_t rangeOffset, const void* data, std::size_t size) const;
     template <class T>
     requires(std::is_trivially_copyable_v<T> &&
-             sizeof(T) <= kMaxPushConstantSize) void setPushConstants(const T& block) const {
-        setPushConstants(&block, sizeof(T));
+             sizeof(T) <= kMaxImmediateSize) void setImmediates(std::uint32_t rangeOffset, const T& block) const {
+        setImmediates(rangeOffset, &block, sizeof(T));
     }
     void setVertexBuffer(std::uint32_t slot, const Buffer& buffer, std::uint64_t offset = 0) const;
     void setIndexBuffer(const Buffer& buffer, IndexFormat format, std::uint64_t offset = 0) const;

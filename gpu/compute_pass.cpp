@@ -99,8 +99,9 @@ void ComputePassEncoder::setBindGroup(std::uint32_t index, const BindGroup& grou
     });
 }
 
-void ComputePassEncoder::setPushConstants(const void* data, std::size_t size) const {
-    record(impl_, [&](detail::ComputePassImpl& pass) { pass.bindings.setPushConstants(data, size, pass.label); });
+void ComputePassEncoder::setImmediates(std::uint32_t rangeOffset, const void* data, std::size_t size) const {
+    record(impl_,
+           [&](detail::ComputePassImpl& pass) { pass.bindings.setImmediates(rangeOffset, data, size, pass.label); });
 }
 
 void ComputePassEncoder::dispatchWorkgroups(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {

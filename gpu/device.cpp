@@ -114,10 +114,9 @@ PipelineLayout Device::createPipelineLayout(const PipelineLayoutDescriptor& desc
         for (const BindGroupLayout& group : descriptor.bindGroupLayouts) {
             groups.push_back(detail::internalReference(detail::resolve(group, *impl_, "bind group layout")));
         }
-        return PipelineLayout(detail::makeHandle(
-            impl_,
-            std::make_shared<detail::PipelineLayoutImpl>(*impl_, descriptor.label, std::move(groups),
-                                                         descriptor.pushConstantSize, descriptor.pushConstantStages)));
+        return PipelineLayout(
+            detail::makeHandle(impl_, std::make_shared<detail::PipelineLayoutImpl>(
+                                          *impl_, descriptor.label, std::move(groups), descriptor.immediateSize)));
     });
 }
 

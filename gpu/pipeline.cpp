@@ -17,8 +17,7 @@ namespace detail {
 std::shared_ptr<PipelineLayoutImpl> deriveLayout(DeviceImpl& device, const std::string& label,
                                                  const std::vector<const ShaderModuleImpl*>& modules) {
     std::vector<std::vector<BindGroupLayoutEntry>> groups;
-    std::uint32_t pushConstantSize = 0;
-    ShaderStage pushConstantStages = ShaderStage::None;
+    std::uint32_t immediateSize = 0;
     for (const ShaderModuleImpl* module : modules) {
         const Reflection& reflection = module->reflection;
         for (const ReflectedBinding& reflected : reflection.bindings) {
@@ -45,18 +44,14 @@ std::shared_ptr<PipelineLayoutImpl> deriveLayout(DeviceImpl& device, const std::
             same->visibility |= reflection.stage;
             same->minBindingSize = std::max(same->minBindingSize, reflected.minBindingSize);
         }
-        if (reflection.pushConstantSize > 0) {
-            pushConstantSize = std::max(pushConstantSize, (reflection.pushConstantSize + 3) / 4 * 4);
-            pushConstantStages |= reflection.stage;
-        }
+        immediateSize = std::max(immediateSize, (reflection.immediateSize + 3) / 4 * 4);
     }
     std::vector<std::shared_ptr<BindGroupLayoutImpl>> layouts;
     for (std::size_t i = 0; i < groups.size(); ++i) {
         BindGroupLayoutDescriptor descriptor{.label = text(label, " group ", i), .entries = std::move(groups[i])};
         layouts.push_back(std::make_shared<BindGroupLayoutImpl>(device, descriptor));
     }
-    return std::make_shared<PipelineLayoutImpl>(device, label, std::move(layouts), pushConstantSize,
-                                                pushConstantStages);
+    return std::make_shared<PipelineLayoutImpl>(device, label, std::move(layouts), immediateSize);
 }
 
 void requireLayoutFits(const PipelineLayoutImpl& layout, const ShaderModuleImpl& module, const std::string& pipeline) {
@@ -77,11 +72,9 @@ void requireLayoutFits(const PipelineLayoutImpl& layout, const ShaderModuleImpl&
                 needed.minBindingSize, " bytes; pipeline layout ", quoted(layout.label()), " promises ",
                 entry->minBindingSize, ".");
     }
-    require(module.reflection.pushConstantSize <= layout.pushConstantSize &&
-                (module.reflection.pushConstantSize == 0 || has(layout.pushConstantStages, module.reflection.stage)),
-            "Pipeline ", quoted(pipeline), ": shader module ", quoted(module.label()), " declares ",
-            module.reflection.pushConstantSize, " bytes of push constants; pipeline layout ", quoted(layout.label()),
-            " has ", layout.pushConstantSize, ".");
+    require(module.reflection.immediateSize <= layout.immediateSize, "Pipeline ", quoted(pipeline), ": shader module ",
+            quoted(module.label()), " declares ", module.reflection.immediateSize,
+            " bytes of immediates; pipeline layout ", quoted(layout.label()), " has ", layout.immediateSize, ".");
 }
 
 Specialization::Specialization(const std::vector<ConstantEntry>& constants, const ShaderModuleImpl& module,

@@ -241,8 +241,9 @@ void RenderPassEncoder::setBindGroup(std::uint32_t index, const BindGroup& group
     });
 }
 
-void RenderPassEncoder::setPushConstants(const void* data, std::size_t size) const {
-    record(impl_, [&](detail::RenderPassImpl& pass) { pass.bindings.setPushConstants(data, size, pass.label); });
+void RenderPassEncoder::setImmediates(std::uint32_t rangeOffset, const void* data, std::size_t size) const {
+    record(impl_,
+           [&](detail::RenderPassImpl& pass) { pass.bindings.setImmediates(rangeOffset, data, size, pass.label); });
 }
 
 void RenderPassEncoder::setVertexBuffer(std::uint32_t slot, const Buffer& handle, std::uint64_t offset) const {

@@ -26,7 +26,7 @@ struct BlockMember {
     friend bool operator==(const BlockMember&, const BlockMember&) = default;
 };
 
-/// A struct with explicit layout: a uniform, storage or push constant block, or a struct inside one.
+/// A struct with explicit layout: a uniform, storage or push_constant block, or a struct inside one.
 struct BlockLayout {
     std::string name;
     std::uint32_t size = 0;  ///< end of the last member [bytes]; C++ rounds up to the alignment
@@ -45,8 +45,8 @@ class ShaderModule : public Handle<detail::ShaderModuleImpl> {
     [[nodiscard]] BlockLayout blockLayout(std::string_view structName) const;
     /// Local size of a compute shader, before specialization.
     [[nodiscard]] std::array<std::uint32_t, 3> workgroupSize() const;
-    /// Bytes of push constants the shader declares; 0 without.
-    [[nodiscard]] std::uint32_t pushConstantSize() const;
+    /// Bytes of immediates (GLSL: the push_constant block) the shader declares; 0 without.
+    [[nodiscard]] std::uint32_t immediateSize() const;
 };
 
 }  // namespace gpu

@@ -141,8 +141,8 @@ struct Color {
 inline constexpr std::uint64_t kWholeSize = ~std::uint64_t{0};
 /// "All levels that are left".
 inline constexpr std::uint32_t kAllMipLevels = ~std::uint32_t{0};
-/// Push constants every Vulkan device has room for [bytes]; nothing larger is accepted on any device.
-inline constexpr std::uint32_t kMaxPushConstantSize = 128;
+/// WebGPU's limit maxImmediateSize [bytes], the same on every device; Vulkan guarantees 128.
+inline constexpr std::uint32_t kMaxImmediateSize = 64;
 
 /// What a device can do; sizes in bytes. Values of the Vulkan device, so at least Vulkan's guaranteed minimum.
 struct Limits {
@@ -160,6 +160,7 @@ struct Limits {
     std::uint32_t maxComputeWorkgroupSizeZ = 0;
     std::uint32_t maxComputeWorkgroupsPerDimension = 0;  ///< the smallest of x, y, z
     std::uint32_t maxColorAttachments = 0;
+    std::uint32_t maxImmediateSize = kMaxImmediateSize;
     std::uint64_t deviceMemory = 0;  ///< largest device-local heap
     bool timestamps = false;         ///< whether timestamp queries work on the compute and graphics queue
     double timestampPeriod = 0;      ///< nanoseconds per timestamp tick; 0 without timestamps

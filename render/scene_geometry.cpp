@@ -312,7 +312,7 @@ void SceneGeometry::recordPyramid(const gpu::CommandEncoder& encoder) {
         block.step = level - shape_.finest;
         block.width = cellsAlong(width_, level);
         block.height = cellsAlong(height_, level);
-        pass.setPushConstants(block);
+        pass.setImmediates(0, block);
         pass.dispatchWorkgroups((block.width + kTileSize - 1) / kTileSize, (block.height + kTileSize - 1) / kTileSize);
         block.sourceWidth = block.width;
         block.sourceHeight = block.height;
@@ -328,7 +328,7 @@ void recordList(const gpu::CommandEncoder& encoder, const char* label, const gpu
     pass.setPipeline(pipeline);
     pass.setBindGroup(0, geometry.bindGroup());
     pass.setBindGroup(1, group);
-    pass.setPushConstants(block, blockSize);
+    pass.setImmediates(0, block, blockSize);
     const ListGroups groups = listGroups(count, encoder.device().limits());
     pass.dispatchWorkgroups(groups.x, groups.y);
     pass.end();

@@ -108,7 +108,7 @@ class SceneGeometry {
 };
 
 /// Records one dispatch over a list of `count` items with the geometry in group 0, `group` in group 1 and `block` as
-/// push constants. Nothing for an empty list.
+/// immediates. Nothing for an empty list.
 void recordList(const gpu::CommandEncoder& encoder, const char* label, const gpu::ComputePipeline& pipeline,
                 SceneGeometry& geometry, const gpu::BindGroup& group, const void* block, std::size_t blockSize,
                 std::uint32_t count);

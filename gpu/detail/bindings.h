@@ -68,18 +68,21 @@ class BindGroupImpl final : public Object {
     void write();
 };
 
+/// Stages that see the immediates of a pipeline layout: all, as in WebGPU.
+inline constexpr VkShaderStageFlags kImmediateStages =
+    VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
+
 class PipelineLayoutImpl final : public Object {
   public:
     PipelineLayoutImpl(DeviceImpl& device, std::string label,
                        std::vector<std::shared_ptr<BindGroupLayoutImpl>> bindGroupLayouts,
-                       std::uint32_t pushConstantBytes, ShaderStage pushConstantShaderStages);
+                       std::uint32_t immediateBytes);
     ~PipelineLayoutImpl() override { release(); }
     void release() noexcept override;
 
     VkPipelineLayout vk = VK_NULL_HANDLE;
     std::vector<std::shared_ptr<BindGroupLayoutImpl>> groups;
-    std::uint32_t pushConstantSize = 0;
-    ShaderStage pushConstantStages = ShaderStage::None;
+    std::uint32_t immediateSize = 0;
 };
 
 /// The layout a pipeline's shaders ask for.

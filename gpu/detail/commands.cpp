@@ -148,15 +148,15 @@ void BindingState::setBindGroup(std::uint32_t index, const BindGroup& handle,
     commands.keep(group);
 }
 
-void BindingState::setPushConstants(const void* data, std::size_t size, const std::string& pass) {
-    require(layout_ != nullptr, "Pass ", quoted(pass), " sets push constants before a pipeline.");
-    const std::size_t declared = layout_->pushConstantSize;
-    require(size <= kMaxPushConstantSize, "Pass ", quoted(pass), " sets ", size, " bytes of push constants; ",
-            kMaxPushConstantSize, " are allowed.");
-    require(size >= declared && size <= (declared + 15) / 16 * 16, "Pass ", quoted(pass), " sets ", size,
-            " bytes of push constants; the pipeline's shader declares ", declared, ".");
-    std::memcpy(pushConstants_.data(), data, size);
-    pushConstantsSet_ = size;
+void BindingState::setImmediates(std::uint32_t rangeOffset, const void* data, std::size_t size,
+                                 const std::string& pass) {
+    require(rangeOffset % 4 == 0 && size % 4 == 0, "Pass ", quoted(pass), " sets ", size,
+            " bytes of immediates at byte ", rangeOffset, "; both must be multiples of 4.");
+    require(size <= kMaxImmediateSize && rangeOffset <= kMaxImmediateSize - size, "Pass ", quoted(pass), " sets ", size,
+            " bytes of immediates at byte ", rangeOffset, "; ", kMaxImmediateSize, " bytes are allowed in all.");
+    if (size == 0) return;
+    std::memcpy(immediates_.data() + rangeOffset, data, size);
+    for (std::size_t word = rangeOffset / 4; word < (rangeOffset + size) / 4; ++word) immediatesSet_.set(word);
 }
 
 void BindingState::requireComplete(const std::string& pipeline) const {
@@ -183,8 +183,10 @@ void BindingState::requireComplete(const std::string& pipeline) const {
                     quoted(pipeline), " needs ", want.minBindingSize, ".");
         }
     }
-    require(pushConstantsSet_ >= layout_->pushConstantSize, "Pipeline ", quoted(pipeline), " needs ",
-            layout_->pushConstantSize, " bytes of push constants; ", pushConstantsSet_, " are set.");
+    for (std::uint32_t byte = 0; byte < layout_->immediateSize; byte += 4) {
+        require(immediatesSet_.test(byte / 4), "Pipeline ", quoted(pipeline), " needs ", layout_->immediateSize,
+                " bytes of immediates; byte ", byte, " is not set.");
+    }
 }
 
 void BindingState::collectUses(UsageScope& scope) const {
@@ -225,8 +227,7 @@ BindingState::Snapshot BindingState::snapshot() const {
         result.dynamicOffsets.insert(result.dynamicOffsets.end(), slots_[i].dynamicOffsets.begin(),
                                      slots_[i].dynamicOffsets.end());
     }
-    result.pushConstants.assign(pushConstants_.begin(), pushConstants_.begin() + layout_->pushConstantSize);
-    result.pushConstantStages = toVulkan(layout_->pushConstantStages);
+    result.immediates.assign(immediates_.begin(), immediates_.begin() + layout_->immediateSize);
     return result;
 }
 
@@ -236,9 +237,9 @@ void BindingState::Snapshot::record(VkCommandBuffer commandBuffer, VkPipelineBin
         vkCmdBindDescriptorSets(commandBuffer, bindPoint, layout, set.index, 1, &set.vk, set.dynamicCount, offsets);
         offsets += set.dynamicCount;
     }
-    if (!pushConstants.empty()) {
-        vkCmdPushConstants(commandBuffer, layout, pushConstantStages, 0,
-                           static_cast<std::uint32_t>(pushConstants.size()), pushConstants.data());
+    if (!immediates.empty()) {
+        vkCmdPushConstants(commandBuffer, layout, kImmediateStages, 0, static_cast<std::uint32_t>(immediates.size()),
+                           immediates.data());
     }
 }
 

@@ -4,6 +4,7 @@
 #include <vulkan/vulkan.h>
 
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -85,7 +86,7 @@ class UsageScope {
     std::vector<ResourceUse> uses_;
 };
 
-/// Groups, dynamic offsets and push constants as they are set on a pass.
+/// Groups, dynamic offsets and immediates as they are set on a pass.
 class BindingState {
   public:
     explicit BindingState(DeviceImpl& device) : device_(device) {}
@@ -93,7 +94,7 @@ class BindingState {
     void setPipelineLayout(std::shared_ptr<PipelineLayoutImpl> layout);
     void setBindGroup(std::uint32_t index, const BindGroup& group, std::span<const std::uint32_t> dynamicOffsets,
                       CommandBufferImpl& commands);
-    void setPushConstants(const void* data, std::size_t size, const std::string& pass);
+    void setImmediates(std::uint32_t rangeOffset, const void* data, std::size_t size, const std::string& pass);
     /// Throws unless everything the pipeline needs is set and fits.
     void requireComplete(const std::string& pipeline) const;
     void collectUses(UsageScope& scope) const;
@@ -108,8 +109,7 @@ class BindingState {
         };
         std::vector<Set> sets;  // groups without entries are left out
         std::vector<std::uint32_t> dynamicOffsets;
-        std::vector<std::byte> pushConstants;
-        VkShaderStageFlags pushConstantStages = 0;
+        std::vector<std::byte> immediates;
         void record(VkCommandBuffer commandBuffer, VkPipelineBindPoint bindPoint) const;
     };
     [[nodiscard]] Snapshot snapshot() const;
@@ -123,8 +123,8 @@ class BindingState {
     DeviceImpl& device_;
     std::shared_ptr<PipelineLayoutImpl> layout_;
     std::vector<Slot> slots_;
-    std::array<std::byte, kMaxPushConstantSize> pushConstants_ = {};
-    std::size_t pushConstantsSet_ = 0;
+    std::array<std::byte, kMaxImmediateSize> immediates_ = {};
+    std::bitset<kMaxImmediateSize / 4> immediatesSet_;  ///< per word
 };
 
 class CommandEncoderImpl {

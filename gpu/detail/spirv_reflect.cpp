@@ -324,7 +324,7 @@ class Parser {
         const std::uint32_t typeId = pointer.operands[1];
         const Type& type = typeOf(typeId);
         if (variable.storageClass == kPushConstant) {
-            result_.pushConstantSize = std::max(result_.pushConstantSize, sizeOf(typeId, {}));
+            result_.immediateSize = std::max(result_.immediateSize, sizeOf(typeId, {}));
             return;
         }
         const Decorations& decorations = decorations_[variable.id];

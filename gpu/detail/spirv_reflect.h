@@ -36,7 +36,7 @@ struct Reflection {
     ShaderStage stage = ShaderStage::None;
     std::vector<ReflectedBinding> bindings;  ///< by set, then binding
     std::vector<BlockLayout> structs;        ///< every struct with member offsets
-    std::uint32_t pushConstantSize = 0;
+    std::uint32_t immediateSize = 0;
     std::vector<ReflectedConstant> constants;
     std::array<std::uint32_t, 3> workgroupSize = {1, 1, 1};
     std::array<std::optional<std::uint32_t>, 3> workgroupSizeConstants;  ///< constant_id of a dimension

@@ -77,7 +77,7 @@ std::vector<RayHit> RayMarcher::march(std::span<const Ray> rays, MarchMethod met
         pass.setPipeline(method == MarchMethod::Pyramid ? pyramid_ : constantSteps_);
         pass.setBindGroup(0, geometry_.bindGroup());
         pass.setBindGroup(1, group);
-        pass.setPushConstants(block);
+        pass.setImmediates(0, block);
         const ListGroups groups = listGroups(workers * groupsPerWorker * kListGroupSize, device_.limits());
         pass.dispatchWorkgroups(groups.x, groups.y);
         pass.end();

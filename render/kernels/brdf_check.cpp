@@ -107,7 +107,7 @@ class Runner {
         std::vector<std::uint32_t> userCode;
         if (file && file->user) userCode = compileUserKernel(UserKernel::CheckBrdf, {file->user});
         const gpu::PipelineLayout pipelineLayout = device.createPipelineLayout(
-            {.label = "check_brdf", .bindGroupLayouts = {layout, tables}, .pushConstantSize = sizeof(block_)});
+            {.label = "check_brdf", .bindGroupLayouts = {layout, tables}, .immediateSize = sizeof(block_)});
         const gpu::ShaderModule module = device.createShaderModule(
             {.label = "check_brdf",
              .code = userCode.empty() ? std::span<const std::uint32_t>(check_brdf_spv) : userCode});
@@ -182,7 +182,7 @@ class Runner {
         pass.setPipeline(pipeline_);
         pass.setBindGroup(0, group_);
         pass.setBindGroup(1, tableGroup_);
-        pass.setPushConstants(block_);
+        pass.setImmediates(0, block_);
         const ListGroups groups = listGroups(count, device_.limits());
         pass.dispatchWorkgroups(groups.x, groups.y);
         pass.end();

@@ -31,7 +31,7 @@ class BrdfPipeline {
   public:
     BrdfPipeline() = default;
     BrdfPipeline(const gpu::Device& device, std::string label, std::span<const std::uint32_t> code,
-                 std::vector<gpu::BindGroupLayout> groups, std::uint32_t pushConstantSize);
+                 std::vector<gpu::BindGroupLayout> groups, std::uint32_t immediateSize);
 
     /// Chooses the BRDFs, bit = id in shaders/brdf/registry.h, and whether parameters vary over segments. Compiles when
     /// there is no pipeline for them yet. `userCode`: the kernel with BRDFs that the user wrote, when there are any; it
@@ -56,7 +56,7 @@ class BrdfPipeline {
 [[nodiscard]] gpu::ComputePipeline makePipeline(const gpu::Device& device, const std::string& label,
                                                 std::span<const std::uint32_t> code,
                                                 std::vector<gpu::BindGroupLayout> groups,
-                                                std::uint32_t pushConstantSize = 0);
+                                                std::uint32_t immediateSize = 0);
 
 /// Group 0 of shaders/lib/geometry.glsl.
 [[nodiscard]] gpu::BindGroupLayout makeGeometryLayout(const gpu::Device& device);

@@ -73,7 +73,7 @@ void recordSlice(const gpu::CommandEncoder& encoder, const gpu::Device& device, 
     const gpu::ComputePassEncoder pass = encoder.beginComputePass({.label = label});
     pass.setPipeline(pipeline);
     pass.setBindGroup(0, group);
-    pass.setPushConstants(block);
+    pass.setImmediates(0, block);
     dispatchList(device, pass, block.count);
     pass.end();
 }
@@ -238,7 +238,7 @@ void RelaxMembranePass::run(const core::ImageF& coverage, std::span<const core::
                                    .height = static_cast<kernel::uint>(values.height()),
                                    .parity = parity,
                                    .overRelaxation = core::analysis::kMembraneOverRelaxation};
-                               pass.setPushConstants(block);
+                               pass.setImmediates(0, block);
                                dispatchList(device_, pass, texels / 2);
                            }
                        }

@@ -20,7 +20,7 @@ void dispatch(const gpu::CommandEncoder& encoder, const char* label, const gpu::
     const gpu::ComputePassEncoder pass = encoder.beginComputePass({.label = label});
     pass.setPipeline(pipeline);
     pass.setBindGroup(0, group);
-    pass.setPushConstants(&block, sizeof(block));
+    pass.setImmediates(0, &block, sizeof(block));
     const ListGroups groups = listGroups(count, encoder.device().limits());
     pass.dispatchWorkgroups(groups.x, groups.y);
     pass.end();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Push constants and bindings of canvas.frag, which draws what the window shows.
+// Immediates and bindings of canvas.frag, which draws what the window shows.
 #ifndef PATINA_CANVAS_BLOCK_H
 #define PATINA_CANVAS_BLOCK_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of check_brdf.comp (push constants).
+// Parameters of check_brdf.comp (immediates).
 #ifndef PATINA_CHECK_BRDF_BLOCK_H
 #define PATINA_CHECK_BRDF_BLOCK_H
 

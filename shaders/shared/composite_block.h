@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of composite.comp (push constants): blend of one segment's new radiance with the photograph.
+// Parameters of composite.comp (immediates): blend of one segment's new radiance with the photograph.
 #ifndef PATINA_COMPOSITE_BLOCK_H
 #define PATINA_COMPOSITE_BLOCK_H
 

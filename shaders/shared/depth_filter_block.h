@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of analysis/depth_filter.comp (push constants).
+// Parameters of analysis/depth_filter.comp (immediates).
 #ifndef PATINA_DEPTH_FILTER_BLOCK_H
 #define PATINA_DEPTH_FILTER_BLOCK_H
 

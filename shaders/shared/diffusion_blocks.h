@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters (push constants) and bindings of the kernels that sum light below a surface
+// Parameters (immediates) and bindings of the kernels that sum light below a surface
 // (core/shading/diffusion_grid.h).
 #ifndef PATINA_DIFFUSION_BLOCKS_H
 #define PATINA_DIFFUSION_BLOCKS_H

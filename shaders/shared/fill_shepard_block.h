@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of analysis/fill_shepard.comp (push constants).
+// Parameters of analysis/fill_shepard.comp (immediates).
 #ifndef PATINA_FILL_SHEPARD_BLOCK_H
 #define PATINA_FILL_SHEPARD_BLOCK_H
 

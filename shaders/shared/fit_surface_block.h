@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of analysis/fit_surface.comp (push constants).
+// Parameters of analysis/fit_surface.comp (immediates).
 #ifndef PATINA_FIT_SURFACE_BLOCK_H
 #define PATINA_FIT_SURFACE_BLOCK_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of march_rays.comp and march_constant.comp (push constants).
+// Parameters of march_rays.comp and march_constant.comp (immediates).
 #ifndef PATINA_MARCH_BLOCK_H
 #define PATINA_MARCH_BLOCK_H
 

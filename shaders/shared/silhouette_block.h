@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of silhouette.comp (push constants): the partly covered pixels at one segment's outline.
+// Parameters of silhouette.comp (immediates): the partly covered pixels at one segment's outline.
 #ifndef PATINA_SILHOUETTE_BLOCK_H
 #define PATINA_SILHOUETTE_BLOCK_H
 

@@ -347,7 +347,7 @@ TEST(GpuAdopted, DrawsIntoSomebodyElsesFramebuffer) {
                                                                           .clearValues = {VkClearValue{}}});
             pass.setPipeline(pipeline);
             pass.setBindGroup(0, group);
-            pass.setPushConstants(1.0f);
+            pass.setImmediates(0, 1.0f);
             pass.draw(3);
             pass.end();
             encoder.finish();

@@ -8,8 +8,8 @@
 
 #include "kernels/test_affine.h"
 #include "kernels/test_feedback.h"
+#include "kernels/test_immediates.h"
 #include "kernels/test_mip.h"
-#include "kernels/test_push.h"
 #include "kernels/test_sample.h"
 #include "kernels/test_sum.h"
 #include "tests/support/gpu_fixture.h"
@@ -52,7 +52,7 @@ TEST_F(GpuCompute, ScatterWithAtomicsAddsUp) {
         const auto pass = encoder.beginComputePass({.label = "sum"});
         pass.setPipeline(pipeline);
         pass.setBindGroup(0, group);
-        pass.setPushConstants(count);
+        pass.setImmediates(0, count);
         pass.dispatchWorkgroups((count + 63) / 64);
         pass.end();
     });
@@ -193,25 +193,26 @@ TEST_F(GpuCompute, StorageImageAccumulatesInPlace) {
     EXPECT_EQ(gpu::readTexture<float>(device, picture), std::vector<float>(13 * 9 * 4, 12.0f));
 }
 
-TEST_F(GpuCompute, PushConstantsOfTheLargestSizeReachTheShader) {
-    struct Push {
+TEST_F(GpuCompute, ImmediatesOfTheMaximumSizeReachTheShader) {
+    struct Immediates {
         std::uint32_t index;
         std::uint32_t value;
-        std::array<std::uint32_t, 30> more;
+        std::array<std::uint32_t, 14> more;
     };
-    static_assert(sizeof(Push) == gpu::kMaxPushConstantSize);
+    static_assert(sizeof(Immediates) == gpu::kMaxImmediateSize);
     const gpu::Buffer result = bufferOf("result", std::vector<std::uint32_t>(4, 0));
-    const gpu::ComputePipeline pipeline = pipelineOf("push", test_push_spv);
-    const gpu::BindGroup group = device.createBindGroup(
-        {.label = "push", .layout = pipeline.getBindGroupLayout(0), .entries = {{.binding = 0, .buffer = result}}});
+    const gpu::ComputePipeline pipeline = pipelineOf("immediates", test_immediates_spv);
+    const gpu::BindGroup group = device.createBindGroup({.label = "immediates",
+                                                         .layout = pipeline.getBindGroupLayout(0),
+                                                         .entries = {{.binding = 0, .buffer = result}}});
     run([&](const gpu::CommandEncoder& encoder) {
         const auto pass = encoder.beginComputePass();
         pass.setPipeline(pipeline);
         pass.setBindGroup(0, group);
         for (std::uint32_t i = 0; i < 4; ++i) {
-            Push push = {i, 100 * i, {}};
-            push.more[29] = i + 1;
-            pass.setPushConstants(push);
+            Immediates immediates = {i, 100 * i, {}};
+            immediates.more[13] = i + 1;
+            pass.setImmediates(0, immediates);
             pass.dispatchWorkgroups(1);
         }
         pass.end();
@@ -243,7 +244,7 @@ TEST_F(GpuCompute, IndirectDispatchReadsCountsAnotherDispatchWrote) {
             0, device.createBindGroup({.label = "sum",
                                        .layout = sum.getBindGroupLayout(0),
                                        .entries = {{.binding = 0, .buffer = values}, {.binding = 1, .buffer = sums}}}));
-        pass.setPushConstants(std::uint32_t{1000});
+        pass.setImmediates(0, std::uint32_t{1000});
         pass.dispatchWorkgroupsIndirect(counts, 0);
         pass.end();
     });
@@ -357,7 +358,7 @@ TEST_F(GpuCompute, PipelinesCompileInTheBackground) {
         const auto pass = encoder.beginComputePass({.label = "sum"});
         pass.setPipeline(last);
         pass.setBindGroup(0, group);
-        pass.setPushConstants(static_cast<std::uint32_t>(values.size()));
+        pass.setImmediates(0, static_cast<std::uint32_t>(values.size()));
         pass.dispatchWorkgroups(16);
         pass.end();
     });

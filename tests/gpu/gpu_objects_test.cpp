@@ -201,7 +201,7 @@ TEST_F(GpuObjects, EverythingMayBeDroppedRightAfterSubmit) {
             0, device.createBindGroup({.label = "sum",
                                        .layout = pipeline.getBindGroupLayout(0),
                                        .entries = {{.binding = 0, .buffer = values}, {.binding = 1, .buffer = sums}}}));
-        pass.setPushConstants(std::uint32_t{50'000});
+        pass.setImmediates(0, std::uint32_t{50'000});
         pass.dispatchWorkgroups(782);
         pass.end();
         encoder.onCompleted([&] { completed = true; });
@@ -411,7 +411,7 @@ TEST_F(GpuObjects, RenderPassDrawsWhatComputeAndCopiesLeft) {
             {.label = "show", .colorAttachments = {{.view = target.createView(), .clearValue = {1, 0, 0, 1}}}});
         pass.setPipeline(pipeline);
         pass.setBindGroup(0, group);
-        pass.setPushConstants(0.5f);
+        pass.setImmediates(0, 0.5f);
         pass.setScissorRect(0, 0, 8, 4);
         pass.draw(3);
         pass.end();
