@@ -25,8 +25,6 @@ constexpr float kMaxCoefficient = 1e5f;  // [1/mm]
 constexpr float kMaxFreePath = 1e5f;     // [mm]
 constexpr float kMinFreePath = 1e-4f;    // [mm]
 
-const std::vector<std::string> kScatteringModels{"dipole", "better_dipole"};
-
 std::vector<std::string> brdfKeys() {
     std::vector<std::string> keys;
     for (const BrdfInfo& brdf : brdfs()) keys.emplace_back(brdf.key);
@@ -46,8 +44,7 @@ Translucency readTranslucency(const json& value, const std::string& place, Error
     float eta = 1.3f;
     const bool ownEta = reader.has("eta");
     reader.read("eta", eta, 1.0f, 3.0f);
-    if (const auto model = reader.readChoice("model", kScatteringModels))
-        result.model = static_cast<ScatteringModel>(*model);
+    reader.readWord("model", result.model);
     reader.read("scale", result.scale, 1e-4f, 1e4f);
     reader.read("weight", result.weight, 0.0f, kMaxWeight);
 
@@ -108,7 +105,7 @@ ordered_json writeTranslucency(const Translucency& t) {
         result["sigma_a"] = toJson(t.sigmaA);
         result["sigma_s_prime"] = toJson(t.sigmaSPrime);
     }
-    if (t.model != ScatteringModel::Dipole) result["model"] = kScatteringModels[static_cast<std::size_t>(t.model)];
+    if (t.model != ScatteringModel::Dipole) result["model"] = wordOf(t.model);
     result["eta"] = toJson(t.eta);
     result["scale"] = toJson(t.scale);
     result["weight"] = toJson(t.weight);
@@ -182,8 +179,7 @@ Material readMaterial(const json& value, const std::string& place, ErrorKind kin
     }
     for (std::size_t i = 0; i < brdf.params.size(); ++i)
         reader.read(brdf.params[i].key, material.values[i], brdf.params[i].min, brdf.params[i].max);
-    if (reader.readChoice("fresnel", {"none", "schlick", "dielectric", "conductor"}))
-        material.fresnel = *findFresnel(reader.find("fresnel")->get<std::string>());
+    reader.readWord("fresnel", material.fresnel);
     reader.readColorOrNumber("eta", material.eta, kMinIndex, kMaxIndex);
     reader.readColorOrNumber("k", material.k, 0.0f, kMaxIndex);
     if (const json* blend = reader.find("blend")) {
@@ -211,7 +207,7 @@ ordered_json writeMaterial(const Material& material, const std::function<std::st
     result["specular"] = material.specular ? toJson(*material.specular) : json("estimated");
     for (std::size_t i = 0; brdf != nullptr && i < brdf->params.size(); ++i)
         if (material.values[i] != kNoValue) result[brdf->params[i].key] = toJson(material.values[i]);
-    result["fresnel"] = fresnelKey(material.fresnel);
+    result["fresnel"] = wordOf(material.fresnel);
     const Metal* metal = brdf != nullptr && brdf->usesSpecular ? metalOf(material) : nullptr;
     if (metal != nullptr) {
         result["metal"] = metal->key;

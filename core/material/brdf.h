@@ -46,8 +46,4 @@ struct BrdfInfo {
 /// The BRDFs and their parameters as the rows of a Markdown table, as docs/command-line.md has it.
 [[nodiscard]] std::string brdfTableMarkdown();
 
-/// "none", "schlick", "dielectric", "conductor": the words of files and command line.
-[[nodiscard]] const char* fresnelKey(Fresnel mode);
-[[nodiscard]] std::optional<Fresnel> findFresnel(std::string_view key);
-
 }  // namespace core

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/image.h"
+#include "core/base/words.h"
 
 namespace core {
 
@@ -15,9 +16,23 @@ namespace core {
 /// Conductor from `eta` (and `k`), scaled by `specular`. The values are those of shaders/brdf/fresnel.h.
 enum class Fresnel { None = 0, Schlick = 1, Dielectric = 2, Conductor = 3 };
 
+template <>
+struct Words<Fresnel> {
+    static constexpr Word<Fresnel> table[] = {{Fresnel::None, "none"},
+                                              {Fresnel::Schlick, "schlick"},
+                                              {Fresnel::Dielectric, "dielectric"},
+                                              {Fresnel::Conductor, "conductor"}};
+};
+
 /// How light spreads below a surface: the dipole of [JMLH01], or the better one of [dEon12], whose exitance counts
 /// fluence too and whose diffusion holds for absorbing media.
 enum class ScatteringModel : std::uint8_t { Dipole, BetterDipole };
+
+template <>
+struct Words<ScatteringModel> {
+    static constexpr Word<ScatteringModel> table[] = {{ScatteringModel::Dipole, "dipole"},
+                                                      {ScatteringModel::BetterDipole, "better_dipole"}};
+};
 
 /// Multiple scattering below the surface, dipole diffusion (docs/method.md#translucency, [JMLH01]). Coefficients in
 /// 1/mm as published; converted to 1/m once, in `profileFromTranslucency`.
@@ -38,6 +53,11 @@ class Mask;  // core/scene/mask.h
 /// What a driven parameter follows: a mask, or how much brighter than its surroundings the photograph is
 /// (core/analysis/texture_detail.cpp).
 enum class DriveSource { Mask, Luminance };
+
+template <>
+struct Words<DriveSource> {
+    static constexpr Word<DriveSource> table[] = {{DriveSource::Mask, "mask"}, {DriveSource::Luminance, "luminance"}};
+};
 
 /// A parameter's value at one end of its source's range.
 struct DriveEnd {

@@ -10,6 +10,7 @@
 
 #include "core/base/camera.h"
 #include "core/base/image.h"
+#include "core/base/words.h"
 #include "core/material/material.h"
 
 namespace core {
@@ -17,6 +18,14 @@ namespace core {
 /// Meaning of stored depth values. Z: planar; Distance: along the ray; Disparity, Inverse: 1/z in 1/unit (Disparity is
 /// what phones store, Inverse what networks give; both are read as 1/z here).
 enum class DepthKind { Z, Distance, Disparity, Inverse };
+
+template <>
+struct Words<DepthKind> {
+    static constexpr Word<DepthKind> table[] = {{DepthKind::Z, "z"},
+                                                {DepthKind::Distance, "distance"},
+                                                {DepthKind::Disparity, "disparity"},
+                                                {DepthKind::Inverse, "inverse"}};
+};
 
 /// Where the photograph came from; written to the project so that it can be loaded again.
 struct PhotoSource {
@@ -50,6 +59,16 @@ enum class BackSideMethod {
     PcaMirror,       ///< front mirrored at a plane found by principal component analysis
     SpannedMirror,   ///< front mirrored along the rays at a surface spanned into the outline
     FlatFaces,       ///< hidden faces at right angles to the flat faces that end at the outline
+};
+
+template <>
+struct Words<BackSideMethod> {
+    static constexpr Word<BackSideMethod> table[] = {{BackSideMethod::Automatic, "automatic"},
+                                                     {BackSideMethod::Offset, "offset"},
+                                                     {BackSideMethod::ParallelMirror, "parallel_mirror"},
+                                                     {BackSideMethod::PcaMirror, "pca_mirror"},
+                                                     {BackSideMethod::SpannedMirror, "spanned_mirror"},
+                                                     {BackSideMethod::FlatFaces, "flat_faces"}};
 };
 
 struct BackSideParams {
@@ -91,10 +110,22 @@ struct DepthFilterParams {
 /// was observed.
 enum class EnvironmentUse { Replace, Complete };
 
+template <>
+struct Words<EnvironmentUse> {
+    static constexpr Word<EnvironmentUse> table[] = {{EnvironmentUse::Replace, "replace"},
+                                                     {EnvironmentUse::Complete, "complete"}};
+};
+
 /// How unobserved directions are filled (docs/method.md#environment): the paper's Shepard interpolation with angular
 /// distance, or a membrane on the sphere (Laplace's equation), which is smooth and keeps a small bright light from
 /// spreading.
 enum class EnvironmentFill { Shepard, Membrane };
+
+template <>
+struct Words<EnvironmentFill> {
+    static constexpr Word<EnvironmentFill> table[] = {{EnvironmentFill::Shepard, "shepard"},
+                                                      {EnvironmentFill::Membrane, "membrane"}};
+};
 
 /// The light: recovered from the photograph, or a map given by the user.
 struct EnvironmentParams {
@@ -110,6 +141,12 @@ struct EnvironmentParams {
 
 /// How exactly light below a surface is summed over its samples (core/shading/diffusion_grid.h).
 enum class DiffusionQuality : std::uint8_t { Draft, Standard, Fine };
+
+template <>
+struct Words<DiffusionQuality> {
+    static constexpr Word<DiffusionQuality> table[] = {
+        {DiffusionQuality::Draft, "draft"}, {DiffusionQuality::Standard, "standard"}, {DiffusionQuality::Fine, "fine"}};
+};
 
 struct RenderParams {
     int samples = 64;      ///< paths per pixel at which accumulation stops

@@ -48,12 +48,6 @@ TEST(BrdfList, TablesAreConsistent) {
     EXPECT_EQ(findBrdf("ggx")->defaultFresnel, Fresnel::Schlick);
 }
 
-TEST(BrdfList, FresnelKeysRoundTrip) {
-    for (const Fresnel mode : {Fresnel::None, Fresnel::Schlick, Fresnel::Dielectric, Fresnel::Conductor})
-        EXPECT_EQ(findFresnel(fresnelKey(mode)), mode);
-    EXPECT_EQ(findFresnel("Schlick"), std::nullopt);
-}
-
 TEST(BrdfToKernel, TakesEveryField) {
     Material m = defaultMaterial(*findBrdf("ggx"));
     m.albedo = Vector3f(0.1f, 0.2f, 0.3f);
