@@ -46,7 +46,7 @@ BindGroupLayoutImpl::BindGroupLayoutImpl(DeviceImpl& owner, const BindGroupLayou
     require(support.supported == VK_TRUE, "Bind group layout ", quoted(label()), " has ", entries.size(),
             " entries, more than this device allows.");
     owner.check(vkCreateDescriptorSetLayout(owner.vk(), &info, nullptr, &vk), "vkCreateDescriptorSetLayout", label());
-    owner.setName(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, handleNumber(vk), label());
+    owner.labels().setName(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, vk, label());
 }
 
 void BindGroupLayoutImpl::release() noexcept {
@@ -95,8 +95,8 @@ BindGroupImpl::BindGroupImpl(DeviceImpl& owner, const BindGroupDescriptor& descr
         require(given[i], "Bind group ", quoted(label()), " does not give binding ", bound[i].entry.binding, " (a ",
                 toString(bound[i].entry.type), ") of layout ", quoted(layout->label()), ".");
     }
-    set = owner.allocateDescriptorSet(layout->vk, label());
-    owner.setName(VK_OBJECT_TYPE_DESCRIPTOR_SET, handleNumber(set.set), label());
+    set = owner.descriptorPools().allocate(layout->vk, label());
+    owner.labels().setName(VK_OBJECT_TYPE_DESCRIPTOR_SET, set.set, label());
     write();
 }
 
@@ -201,7 +201,7 @@ PipelineLayoutImpl::PipelineLayoutImpl(DeviceImpl& owner, std::string name,
     info.pushConstantRangeCount = immediateSize > 0 ? 1 : 0;
     info.pPushConstantRanges = &range;
     owner.check(vkCreatePipelineLayout(owner.vk(), &info, nullptr, &vk), "vkCreatePipelineLayout", label());
-    owner.setName(VK_OBJECT_TYPE_PIPELINE_LAYOUT, handleNumber(vk), label());
+    owner.labels().setName(VK_OBJECT_TYPE_PIPELINE_LAYOUT, vk, label());
 }
 
 void PipelineLayoutImpl::release() noexcept {

@@ -24,10 +24,10 @@ void runThenReady(detail::DeviceImpl& device, F&& call) {
     try {
         device.guarded(std::forward<F>(call));
     } catch (const Error&) {
-        device.runReady();
+        device.inFlight().runReady();
         throw;
     }
-    device.runReady();
+    device.inFlight().runReady();
 }
 
 /// Makes an object inside the error scopes; the handle is empty when a scope kept the error.
@@ -153,14 +153,14 @@ CommandEncoder Device::beginAdoptedFrame(VkCommandBuffer_T* commandBuffer, std::
         detail::require(device.adopted(), "Device ", detail::quoted(device.label()),
                         " is not adopted: record with createCommandEncoder.");
         detail::require(commandBuffer != nullptr, "The command buffer of an adopted frame is null.");
-        device.completeSlot(slot);
-        device.reclaim();
+        device.inFlight().completeSlot(slot);
+        device.inFlight().reclaim();
         const std::string label = detail::text("frame of slot ", slot);
         auto recording = std::make_shared<detail::CommandBufferImpl>(device, label, commandBuffer);
-        device.beginAdoptedFrame(slot, recording);
+        device.inFlight().beginAdoptedFrame(slot, recording);
         return CommandEncoder(std::make_shared<detail::CommandEncoderImpl>(impl_, label, std::move(recording)));
     });
-    device.runReady();
+    device.inFlight().runReady();
     return encoder;
 }
 
@@ -182,17 +182,17 @@ bool Device::supportsUsage(TextureFormat format, TextureUsage usage) const {
 void Device::tick() const {
     detail::DeviceImpl& device = deviceOf(impl_);
     runThenReady(device, [&] {
-        device.flushPendingWrites();
-        device.reclaim();
+        device.inFlight().flushPendingWrites();
+        device.inFlight().reclaim();
     });
 }
 
 void Device::waitIdle() const {
     detail::DeviceImpl& device = deviceOf(impl_);
-    runThenReady(device, [&] { device.waitIdle(); });
+    runThenReady(device, [&] { device.inFlight().waitIdle(); });
 }
 
-std::uint64_t Device::allocatedBytes() const { return deviceOf(impl_).allocatedBytes(); }
+std::uint64_t Device::allocatedBytes() const { return deviceOf(impl_).memory().allocatedBytes(); }
 void Device::pushErrorScope(ErrorFilter filter) const { deviceOf(impl_).pushErrorScope(filter); }
 std::optional<Error> Device::popErrorScope() const { return deviceOf(impl_).popErrorScope(); }
 bool Device::isLost() const { return deviceOf(impl_).lost(); }

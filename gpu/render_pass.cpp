@@ -163,7 +163,7 @@ void RenderPassImpl::end() {
         encoder->writeTimestamp(*timestampWrites_->querySet.impl(), index, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT);
     };
     if (timestampWrites_) timestamp(timestampWrites_->beginningOfPassWriteIndex);
-    encoder->device()->beginLabel(commands.vk, label);
+    encoder->device()->labels().begin(commands.vk, label);
     scope.record(commands);
     VkRenderPassBeginInfo info = {};
     info.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;
@@ -175,7 +175,7 @@ void RenderPassImpl::end() {
     vkCmdBeginRenderPass(commands.vk, &info, VK_SUBPASS_CONTENTS_INLINE);
     for (const auto& command : recorded) command(commands.vk);
     vkCmdEndRenderPass(commands.vk);
-    encoder->device()->endLabel(commands.vk);
+    encoder->device()->labels().end(commands.vk);
     if (timestampWrites_) timestamp(timestampWrites_->endOfPassWriteIndex);
     recorded.clear();
 }

@@ -68,7 +68,7 @@ ShaderModuleImpl::ShaderModuleImpl(DeviceImpl& owner, const ShaderModuleDescript
     info.codeSize = descriptor.code.size_bytes();
     info.pCode = descriptor.code.data();
     owner.check(vkCreateShaderModule(owner.vk(), &info, nullptr, &vk), "vkCreateShaderModule", label());
-    owner.setName(VK_OBJECT_TYPE_SHADER_MODULE, handleNumber(vk), label());
+    owner.labels().setName(VK_OBJECT_TYPE_SHADER_MODULE, vk, label());
 }
 
 void ShaderModuleImpl::release() noexcept {

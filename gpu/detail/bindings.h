@@ -12,13 +12,18 @@
 #include <vector>
 
 #include "gpu/bind_group.h"
+#include "gpu/detail/descriptor_pools.h"
 #include "gpu/detail/object.h"
 #include "gpu/detail/resources.h"
 #include "gpu/detail/spirv_reflect.h"
 #include "gpu/pipeline.h"
 #include "gpu/shader_module.h"
 
-namespace gpu::detail {
+namespace gpu {
+
+struct RenderPassColorAttachment;  // gpu/command_encoder.h
+
+namespace detail {
 
 class ShaderModuleImpl final : public Object {
   public:
@@ -152,6 +157,10 @@ class RenderPipelineImpl final : public Object {
     std::vector<TextureFormat> targets;  // empty with an external target
     bool external = false;
     std::uint32_t vertexBufferCount = 0;
+
+  private:
+    void create(const RenderPipelineDescriptor& descriptor, const ShaderModuleImpl& vertex,
+                const ShaderModuleImpl& fragment);
 };
 
 /// A Vulkan render pass for attachments of these formats, all in GENERAL.
@@ -159,4 +168,6 @@ class RenderPipelineImpl final : public Object {
                                             const std::vector<RenderPassColorAttachment>* attachments,
                                             const std::string& label);
 
-}  // namespace gpu::detail
+}  // namespace detail
+
+}  // namespace gpu

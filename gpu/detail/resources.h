@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "gpu/buffer.h"
-#include "gpu/detail/device_impl.h"
+#include "gpu/detail/device_memory.h"
 #include "gpu/detail/object.h"
+#include "gpu/query_set.h"
 #include "gpu/sampler.h"
 #include "gpu/texture.h"
 
@@ -43,8 +44,6 @@ class BufferImpl final : public Object {
 
   private:
     void createMemory(bool staging);
-    void flushHostWrites();
-    void invalidateHostReads();
 
     Allocation allocation_;
     std::byte* host_ = nullptr;  // the whole buffer, mapped for as long as it lives
