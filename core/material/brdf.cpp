@@ -5,7 +5,8 @@
 #include <cstdio>
 #include <string>
 
-#include "core/material/brdf_file.h"
+#include "core/material/measured_brdf.h"
+#include "core/material/user_brdf.h"
 #include "shaders/brdf/brdf.h"
 
 namespace core {

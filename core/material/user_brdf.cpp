@@ -184,7 +184,7 @@ class Reader {
     }
 
     std::size_t readParam(std::size_t i) {
-        const std::size_t end = readUserParam(text_, i, brdf_);
+        const std::size_t end = readUserParam(text_, i, brdf_.path, brdf_);
         const GlslToken& name = text_.tokens[i + 2];
         if (isFixed(name.text)) refuse(name.line, "\"" + name.text + "\" is a name of GLSL or of the program.");
         return end;
