@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <string>
 
 #include "core/base/parallel.h"
@@ -208,9 +209,9 @@ Bench::Error Bench::compare(double* seconds) const {
             }
         }
         for (int c = 0; c < 3; ++c)
-            truth[c] = static_cast<double>(kernel::diffusion_exitance(static_cast<float>(truth[c] * (M_PI / kRays)),
-                                                                      static_cast<float>(whole[c]), flatSurface[c],
-                                                                      tolerance[c]));
+            truth[c] = static_cast<double>(
+                kernel::diffusion_exitance(static_cast<float>(truth[c] * (std::numbers::pi / kRays)),
+                                           static_cast<float>(whole[c]), flatSurface[c], tolerance[c]));
         const float* texel = &result[4 * analysis.front->depth.index(x, y)];
         const std::lock_guard lock(mutex);
         for (int c = 0; c < 3; ++c) {

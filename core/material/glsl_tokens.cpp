@@ -105,7 +105,7 @@ class Tokenizer {
             ++end;
         const std::string_view number = text_.substr(at_, end - at_);
         if (number.size() > kMaxGlslName || number.find_first_of("lLhH_") != std::string_view::npos)
-            refuse("\"" + std::string(number.substr(0, kMaxGlslName)) + "\" is no int, uint or float.");
+            refuse("\"" + std::string(number.substr(0, kMaxGlslName)) + "\" is not an int, uint or float.");
         return end - at_;
     }
 
@@ -118,7 +118,7 @@ class Tokenizer {
         if (c == '%') refuse("There is no % here; mod(x, y) does it for floats.");
         if (std::string_view("+-*/<>=!&|^~?:;,.(){}[]").find(c) == std::string_view::npos)
             refuse(c > ' ' && c < 127 ? std::string("The sign ") + c + " is not allowed here."
-                                      : "There is a character here that is no GLSL.");
+                                      : "This character is not part of GLSL.");
         for (const std::string_view sign : kSigns)
             if (text_.substr(at_, sign.size()) == sign) return sign.size();
         return 1;
@@ -131,7 +131,7 @@ class Tokenizer {
     GlslText result_;
 };
 
-/// Brackets match, and neither they nor statements grow without bound.
+/// Throws unless brackets match and nesting and statements stay within the limits.
 void checkShape(const std::string& path, const std::vector<GlslToken>& tokens) {
     std::vector<const GlslToken*> open;
     std::size_t statement = 0;
@@ -160,7 +160,7 @@ void refuseGlsl(const std::string& path, int line, const std::string& reason) {
 }
 
 GlslText tokenizeGlsl(const std::string& path, std::string_view text) {
-    if (!validUtf8(text)) refuseGlsl(path, 1, "The file is no text in UTF-8.");
+    if (!validUtf8(text)) refuseGlsl(path, 1, "The file is not UTF-8 text.");
     GlslText result = Tokenizer(path, text).run();
     checkShape(path, result.tokens);
     return result;

@@ -87,7 +87,7 @@ Vector3f diffuseMeanFreePath(const Translucency& translucency) {
     for (int c = 0; c < 3; ++c) {
         const double sigmaTr = transportCoefficient(coefficient(translucency.sigmaSPrime[c]),
                                                     coefficient(translucency.sigmaA[c]), translucency.model);
-        result[c] = static_cast<float>(std::min(1 / std::max(sigmaTr, 1e-9), static_cast<double>(kLongestFreePath)));
+        result[c] = static_cast<float>(std::min(1 / std::max(sigmaTr, 1e-9), static_cast<double>(kMaxMeanFreePath)));
     }
     return result;
 }

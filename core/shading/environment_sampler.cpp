@@ -70,7 +70,7 @@ EnvironmentSampler::EnvironmentSampler(const DirectionalMap& map) {
             excess(x / cell, y / cell) += value;
             sum += value;
         }
-    if (sum < kLeastShare * total) return;
+    if (sum < kMinShare * total) return;
 
     columns_ = columns;
     rows_ = rows;

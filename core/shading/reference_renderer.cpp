@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/base/color.h"
@@ -260,7 +261,7 @@ std::vector<Vector3f> ReferenceRenderer::irradiance(const SurfaceSamples& sample
             const Vector3f value = follow(vertex, {id, static_cast<std::uint32_t>(j), seed});
             if (kernel::path_valid(toKernel(value))) sum += value.cast<double>();
         }
-        if (rays > 0) result[static_cast<std::size_t>(i)] = (sum * (M_PI / rays)).cast<float>();
+        if (rays > 0) result[static_cast<std::size_t>(i)] = (sum * (std::numbers::pi / rays)).cast<float>();
     });
     return result;
 }
@@ -294,8 +295,9 @@ ImageRgb ReferenceRenderer::translucentRadiosity(const SurfaceSamples& samples, 
                 }
             }
             for (int c = 0; c < 3; ++c)
-                result(x, y)[c] = kernel::diffusion_exitance(
-                    static_cast<float>(sum[c] / M_PI), static_cast<float>(whole[c]), flatSurface[c], tolerance[c]);
+                result(x, y)[c] =
+                    kernel::diffusion_exitance(static_cast<float>(sum[c] / std::numbers::pi),
+                                               static_cast<float>(whole[c]), flatSurface[c], tolerance[c]);
         }
     });
     return result;

@@ -12,9 +12,9 @@ namespace {
 
 constexpr int kOuterRings = 2;            // optics and resampling spread an edge further than one pixel
 constexpr int kSearchRadius = 4;          // for a clean colour [px]
-constexpr float kLeastContrast = 0.1f;    // relative difference of F and B below which the label is believed instead
+constexpr float kMinContrast = 0.1f;      // relative difference of F and B below which the label is believed instead
 constexpr float kPureDifference = 0.03f;  // relative difference from a pure colour that texture makes
-constexpr float kLeastShare = 1.0f / 64;
+constexpr float kMinShare = 1.0f / 64;
 constexpr int kLabelRadius = 4;       // of the labels' Gaussian mean [px]
 constexpr float kLabelSigma = 1.25f;  // [px]
 
@@ -123,7 +123,7 @@ class Outline {
 float mixture(const Vector3f& c, const Vector3f& f, const Vector3f& b, float expected, float pureDistance) {
     const Vector3f difference = f - b;
     const float contrast = difference.squaredNorm();
-    const float doubt = kLeastContrast * kLeastContrast * (f.squaredNorm() + b.squaredNorm());
+    const float doubt = kMinContrast * kMinContrast * (f.squaredNorm() + b.squaredNorm());
     if (!(contrast > 0)) return expected;
     const float fitted = std::clamp((c - b).dot(difference) / contrast, 0.0f, 1.0f);
     const float residual = (c - b - fitted * difference).squaredNorm();
@@ -161,7 +161,7 @@ std::vector<SilhouettePixel> findSilhouette(const ImageRgb& photo, const LabelIm
                                 ? outline.coverage(x, y)
                                 : mixture(c, f, b, inside ? 1.0f : 0.0f,
                                           outline.distanceToPure(photo, x, y, inside ? 1 : kOuterRings, inside));
-            if (inside ? a > 1 - kLeastShare : a < kLeastShare) continue;
+            if (inside ? a > 1 - kMinShare : a < kMinShare) continue;
             const Vector3f background = (1 - a) * b;
             if (inside)
                 result.push_back({x, y, x, y, a, background, (1 - a) * (c - b)});
