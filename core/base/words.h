@@ -8,11 +8,12 @@
 
 namespace core {
 
-/// An enumerator and its word in project files and on the command line.
+/// An enumerator in words.
 template <class E>
 struct Word {
     E value;
-    const char* key;
+    const char* key;         ///< in project files and on the command line
+    const char* label = "";  ///< for people, untranslated; "" where no window shows it
 };
 
 /// The words of an enumeration: a specialisation beside it has a static member `table`, one row per enumerator.
@@ -29,6 +30,14 @@ template <class E>
 [[nodiscard]] constexpr const char* wordOf(E value) {
     for (const Word<E>& word : Words<E>::table)
         if (word.value == value) return word.key;
+    return "";
+}
+
+/// Label of an enumerator; "" for a value without a row.
+template <class E>
+[[nodiscard]] constexpr const char* labelOf(E value) {
+    for (const Word<E>& word : Words<E>::table)
+        if (word.value == value) return word.label;
     return "";
 }
 

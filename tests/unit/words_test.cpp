@@ -19,11 +19,10 @@ TYPED_TEST_SUITE(WordsOfEnumeration, Enumerations);
 
 TYPED_TEST(WordsOfEnumeration, AreUniqueAndReadBack) {
     std::set<std::string> seen;
-    int next = 0;
-    for (const auto& [value, key] : Words<TypeParam>::table) {
-        EXPECT_EQ(static_cast<int>(value), next++) << key;
+    for (const auto& [value, key, label] : Words<TypeParam>::table) {
         EXPECT_TRUE(seen.insert(key).second) << key;
         EXPECT_STREQ(wordOf(value), key);
+        EXPECT_STREQ(labelOf(value), label);
         EXPECT_EQ(findWord<TypeParam>(key), value) << key;
     }
     EXPECT_EQ(wordsOf<TypeParam>().size(), seen.size());
