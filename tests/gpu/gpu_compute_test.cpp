@@ -220,6 +220,30 @@ TEST_F(GpuCompute, ImmediatesOfTheMaximumSizeReachTheShader) {
     EXPECT_EQ(gpu::readBuffer<std::uint32_t>(device, result, 0, 4), (std::vector<std::uint32_t>{1, 102, 203, 304}));
 }
 
+TEST_F(GpuCompute, ImmediatesAreSetInPartsAndStaySet) {
+    const gpu::Buffer result = bufferOf("result", std::vector<std::uint32_t>(4, 0));
+    const gpu::ComputePipeline pipeline = pipelineOf("immediates", test_immediates_spv);
+    const gpu::BindGroup group = device.createBindGroup({.label = "immediates",
+                                                         .layout = pipeline.getBindGroupLayout(0),
+                                                         .entries = {{.binding = 0, .buffer = result}}});
+    run([&](const gpu::CommandEncoder& encoder) {
+        const auto pass = encoder.beginComputePass();
+        // Before any pipeline: index 0, value 100, last word 0.
+        std::array<std::uint32_t, 16> block = {};
+        block[1] = 100;
+        pass.setImmediates(0, block);
+        pass.setPipeline(pipeline);
+        pass.setBindGroup(0, group);
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            pass.setImmediates(0, i);
+            pass.setImmediates(60, 10 * i);
+            pass.dispatchWorkgroups(1);
+        }
+        pass.end();
+    });
+    EXPECT_EQ(gpu::readBuffer<std::uint32_t>(device, result, 0, 4), (std::vector<std::uint32_t>{100, 110, 120, 130}));
+}
+
 TEST_F(GpuCompute, IndirectDispatchReadsCountsAnotherDispatchWrote) {
     // The affine kernel computes the counts: 2 * {1, 0, 0} + 1 = {3, 1, 1}.
     const gpu::Buffer seed = bufferOf("seed", std::vector<std::uint32_t>{1, 0, 0});
