@@ -14,12 +14,12 @@ namespace detail {
 
 CommandEncoderImpl::~CommandEncoderImpl() {
     if (finished_ || !commands_->adopted) return;
-    // The frame's owner will submit it all the same: what it needs has to go first.
+    // The owner submits the frame anyway, so the writes it depends on must go first.
     try {
         commands_->end();
         if (!device_->lost() && !device_->destroyed()) device_->inFlight().flushPendingWrites();
     } catch (const Error&) {
-        // Nobody is left to tell; the next call on the device reports the same trouble.
+        // There is no caller to inform; the next call on the device reports the same error.
     }
 }
 

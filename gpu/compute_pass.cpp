@@ -24,7 +24,7 @@ ComputePassImpl::ComputePassImpl(std::shared_ptr<CommandEncoderImpl> owner, cons
 
 ComputePassImpl::~ComputePassImpl() {
     if (!open_) return;
-    // Left by an exception: what was recorded stays, the encoder can go on.
+    // Left by an exception: recorded commands stay, the encoder remains usable.
     for (; debugGroups >= 0; --debugGroups) encoder->device()->labels().end(encoder->commands().vk);
     encoder->passOpen = false;
 }

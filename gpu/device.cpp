@@ -18,7 +18,7 @@ detail::DeviceImpl& deviceOf(const std::shared_ptr<detail::DeviceImpl>& impl) {
     return *impl;
 }
 
-/// Runs the callbacks that are ready even when the call fails: a lost device has them to report.
+/// Runs the callbacks that are ready even when the call fails, because the loss of a device is reported through them.
 template <class F>
 void runThenReady(detail::DeviceImpl& device, F&& call) {
     try {

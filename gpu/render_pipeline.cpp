@@ -45,7 +45,7 @@ VkRenderPass createRenderPass(DeviceImpl& device, const std::vector<TextureForma
 
 namespace {
 
-/// What a pipeline's create info points to; it must stay in place until the call.
+/// Arrays that a pipeline's create info points to; must stay in place until the call.
 struct FixedState {
     std::vector<VkVertexInputBindingDescription> vertexBindings;
     std::vector<VkVertexInputAttributeDescription> vertexAttributes;

@@ -90,13 +90,13 @@ class PipelineLayoutImpl final : public Object {
     std::uint32_t immediateSize = 0;
 };
 
-/// The layout a pipeline's shaders ask for.
+/// The layout that a pipeline's shaders need.
 [[nodiscard]] std::shared_ptr<PipelineLayoutImpl> deriveLayout(DeviceImpl& device, const std::string& label,
                                                                const std::vector<const ShaderModuleImpl*>& modules);
 /// Throws unless the layout offers what the module needs.
 void requireLayoutFits(const PipelineLayoutImpl& layout, const ShaderModuleImpl& module, const std::string& pipeline);
 
-/// Specialization constants in Vulkan's form; valid as long as this object stays where it is.
+/// Specialization constants in Vulkan's form. Not movable, because the form points into the object.
 class Specialization {
   public:
     Specialization(const std::vector<ConstantEntry>& constants, const ShaderModuleImpl& module,
@@ -126,14 +126,14 @@ class ComputePipelineImpl final : public Object {
     ~ComputePipelineImpl() override { release(); }
     void release() noexcept override;
 
-    /// Waits for a pipeline that is being compiled. Throws what compiling it failed with.
+    /// Waits while the pipeline is being compiled. Throws the error of a failed compilation.
     [[nodiscard]] VkPipeline compiled();
 
     std::shared_ptr<PipelineLayoutImpl> layout;
     std::array<std::uint32_t, 3> workgroupSize = {1, 1, 1};
 
   private:
-    /// What the compiler reads; lives until it is done.
+    /// Input of the compiler; lives until compilation ends.
     struct Source {
         std::shared_ptr<ShaderModuleImpl> module;
         Specialization specialization;

@@ -23,7 +23,7 @@ class TextureImpl;
 class CommandBufferImpl final : public Object {
   public:
     CommandBufferImpl(DeviceImpl& device, std::string label);
-    /// Records into a command buffer that somebody else began and will submit.
+    /// Records into a command buffer that its owner began and will submit.
     CommandBufferImpl(DeviceImpl& device, std::string label, VkCommandBuffer adopted);
     ~CommandBufferImpl() override { release(); }
     void release() noexcept override;

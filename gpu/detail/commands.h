@@ -34,8 +34,8 @@ struct ResourceUse {
     std::uint32_t binding = 0;
 };
 
-/// Uses of one scope (a dispatch, a render pass), checked for WebGPU's rule: written by one binding, it is not read by
-/// another.
+/// Uses of one scope (a dispatch, a render pass). Checks WebGPU's rule that a resource written through one binding is
+/// not read through another.
 class UsageScope {
   public:
     void add(const ResourceUse& use) { uses_.push_back(use); }
@@ -60,7 +60,7 @@ class BindingState {
     void requireComplete(const std::string& pipeline) const;
     void collectUses(UsageScope& scope) const;
 
-    /// What has to be bound, detached from this object.
+    /// Everything to bind, detached from this object.
     struct Snapshot {
         VkPipelineLayout layout = VK_NULL_HANDLE;
         struct Set {
@@ -127,8 +127,8 @@ class CommandEncoderImpl {
     [[nodiscard]] CommandBufferImpl& commands() const { return *commands_; }
 
     void writeTimestamp(QuerySetImpl& querySet, std::uint32_t index, VkPipelineStageFlagBits stage);
-    /// Nothing after it begins before everything before it has ended. Software drivers write a timestamp only when they
-    /// wait, that is, after later dispatches unless there is a barrier in between.
+    /// Orders all later commands after all earlier ones. Software drivers write a timestamp only when they wait, so
+    /// without a barrier it would include later dispatches.
     void executionBarrier();
 
     bool passOpen = false;

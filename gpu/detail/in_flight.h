@@ -22,7 +22,7 @@ class DeviceImpl;
 ///
 /// Ownership: keeps every submitted command buffer, and through it whatever the commands use, until the work has
 /// completed; dropping these references is what destroys objects whose handles are gone. Completion is known in two
-/// ways: the fence of a submission passes, or, for frames that somebody else submits, their slot begins again.
+/// ways: the fence of a submission passes, or, for adopted frames, which their owner submits, their slot begins again.
 ///
 /// Threading: belongs to the thread of its device. Completion only makes callbacks ready; they run in `runReady`,
 /// never inside the call that noticed the completion.

@@ -296,7 +296,8 @@ class Parser {
         return size;
     }
 
-    /// Whether a decoration is on the variable, or on all members of its block (as glslang writes `readonly buffer`).
+    /// True if the variable, or every member of its block, has a decoration (glslang writes `readonly buffer` that
+    /// way).
     bool decorated(std::uint32_t variable, std::uint32_t typeId, std::uint32_t decoration) {
         if (decorations_[variable].contains(decoration)) return true;
         const Type& type = typeOf(typeId);

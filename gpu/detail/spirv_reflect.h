@@ -31,7 +31,7 @@ struct ReflectedConstant {
     ConstantKind kind = ConstantKind::Float;
 };
 
-/// What a SPIR-V module with one entry point says about itself.
+/// Interface of a SPIR-V module with one entry point.
 struct Reflection {
     ShaderStage stage = ShaderStage::None;
     std::vector<ReflectedBinding> bindings;  ///< by set, then binding
@@ -43,8 +43,8 @@ struct Reflection {
     std::vector<std::uint32_t> capabilities;
 };
 
-/// Throws Error(Validation) naming `label` for what is not such a module, or uses what this library does not offer
-/// (arrays of descriptors, images that are not two-dimensional).
+/// Throws Error(Validation) naming `label` for anything else, and for features this library does not offer (arrays of
+/// descriptors, images that are not two-dimensional).
 [[nodiscard]] Reflection reflectSpirv(std::span<const std::uint32_t> words, const std::string& label);
 
 }  // namespace gpu::detail

@@ -23,7 +23,7 @@ namespace gpu::detail {
 [[nodiscard]] VkBlendFactor toVulkan(BlendFactor factor);
 /// The name of a result, for example "VK_ERROR_DEVICE_LOST".
 [[nodiscard]] const char* toString(VkResult result);
-/// What a failed call says: its name, the label of its object, the result.
+/// Message of a failed call: its name, the label of its object, the result.
 [[nodiscard]] std::string failureMessage(VkResult result, const char* call, const std::string& label);
 /// Throws the Error a failed result means. Calls that may lose the device go through DeviceImpl::check instead.
 void requireSuccess(VkResult result, const char* call, const std::string& label);
