@@ -26,7 +26,7 @@ namespace {
 
 std::string systemReason(int code) { return std::generic_category().message(code); }
 
-/// Opens for a final fsync; also proves that the file is there.
+/// Opens for a final fsync, which also checks that the file exists.
 void flushToDisk(const std::string& path, const std::string& named) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) failWriting(named, systemReason(errno));

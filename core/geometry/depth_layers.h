@@ -55,12 +55,12 @@ struct MarchHit {
 /// The rule, exactly. With s = t/(pz + t·dz) the ray is the straight line
 ///   u = u0 + fx·(dx − dz·px/pz)·s,   v = v0 + fy·(dy − dz·py/pz)·s,   w = (1 − dz·s)/pz,   t = s/w,
 /// for s from 0 to 1/dz (dz > 0: w reaches 0) or unbounded (dz ≤ 0), restricted to the image,
-/// 0 ≤ u ≤ width, 0 ≤ v ≤ height; an origin beside the image may enter it. In the part [s0, s1] of the ray over a
+/// 0 ≤ u ≤ width, 0 ≤ v ≤ height; an origin outside the image may enter it. In the part [s0, s1] of the ray over a
 /// pixel, the solid is where back(u, v) ≤ w ≤ front(u, v): both conditions are linear in s, so this is one interval [a,
 /// b], or none.
 /// - A ray is *escaping* while it has not yet been outside a solid: it starts escaping when its origin is inside the
 ///   solid of its pixel, keeps escaping into the next pixel when b = s1 and that pixel's a = s0, and stops otherwise.
-///   A ray that comes from beside the image does not escape.
+///   A ray that comes from outside the image does not escape.
 /// - The first interval of a ray that is not escaping is the hit, at s = a. Crossing the front plane there (a > s0)
 ///   hits the front, crossing the back plane the back; a side wall (a = s0) belongs to the layer nearer to the ray in
 ///   w, front − w ≤ w − back: the front.

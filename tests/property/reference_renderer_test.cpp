@@ -227,7 +227,7 @@ TEST(ReferenceRenderer, MirrorsInterpolateWithinASurfaceAndNotBeyondIt) {
         for (std::uint32_t i = 0; i < kSamples; ++i) sum += static_cast<double>(renderer.pathRadiance(x, 52, i).x());
         return sum / kSamples;
     };
-    // Bilinear between centres, meant over a column: an eighth of what is beside it.
+    // Bilinear between centres, averaged over a column: an eighth comes from each neighbour.
     const AnalyticScene one = scene(2);
     EXPECT_NEAR(mirrored(one, 30), 0, 1e-6);
     EXPECT_NEAR(mirrored(one, 31), 0.125, 0.02);
@@ -337,7 +337,7 @@ TEST(ReferenceTranslucency, SphereInUniformLightMatchesTheIntegral) {
     s.scene.render.irradianceSamples = 4;
     const DiffusionProfile profile = profileFromTranslucency(t);
     const SurfaceSamples samples = sampleSurface(*s.analysis, s.scene.photo->labels, 1, 10000, 3);
-    // The camera sees a little less than half of the sphere and the back layer is the rest of it.
+    // The camera sees slightly less than half of the sphere; the back layer is the rest.
     EXPECT_NEAR(samples.area, 4 * std::numbers::pi * radius * radius, 0.02 * 4 * std::numbers::pi * radius * radius);
 
     const ReferenceRenderer renderer(s.scene, s.analysis);
