@@ -6,7 +6,7 @@
 
 namespace core {
 
-/// Kinds of failure that callers treat differently; each has an exit code of the command line.
+/// What went wrong, as far as a caller has to act on it; the command line's exit codes follow from it.
 enum class ErrorKind {
     Usage,      ///< the request is wrong (exit code 2)
     Input,      ///< a file or value from outside cannot be used (exit code 3)
@@ -14,7 +14,7 @@ enum class ErrorKind {
     Cancelled,  ///< the user stopped it; no result, nothing changed
 };
 
-/// External failure (a file, a value, a disk), never a bug. The message is a full sentence that names the
+/// Failure of the world outside (a file, a value, a disk), never a bug. The message is a full sentence that names the
 /// file, what was expected and what was found; context is appended from inner to outer.
 class Error : public std::runtime_error {
   public:

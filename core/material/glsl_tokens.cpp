@@ -105,7 +105,7 @@ class Tokenizer {
             ++end;
         const std::string_view number = text_.substr(at_, end - at_);
         if (number.size() > kMaxGlslName || number.find_first_of("lLhH_") != std::string_view::npos)
-            refuse("\"" + std::string(number.substr(0, kMaxGlslName)) + "\" is not an int, uint or float.");
+            refuse("\"" + std::string(number.substr(0, kMaxGlslName)) + "\" is no int, uint or float.");
         return end - at_;
     }
 
@@ -118,7 +118,7 @@ class Tokenizer {
         if (c == '%') refuse("There is no % here; mod(x, y) does it for floats.");
         if (std::string_view("+-*/<>=!&|^~?:;,.(){}[]").find(c) == std::string_view::npos)
             refuse(c > ' ' && c < 127 ? std::string("The sign ") + c + " is not allowed here."
-                                      : "This character is not part of GLSL.");
+                                      : "There is a character here that is no GLSL.");
         for (const std::string_view sign : kSigns)
             if (text_.substr(at_, sign.size()) == sign) return sign.size();
         return 1;
@@ -160,7 +160,7 @@ void refuseGlsl(const std::string& path, int line, const std::string& reason) {
 }
 
 GlslText tokenizeGlsl(const std::string& path, std::string_view text) {
-    if (!validUtf8(text)) refuseGlsl(path, 1, "The file is not UTF-8 text.");
+    if (!validUtf8(text)) refuseGlsl(path, 1, "The file is no text in UTF-8.");
     GlslText result = Tokenizer(path, text).run();
     checkShape(path, result.tokens);
     return result;

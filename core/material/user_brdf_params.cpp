@@ -39,7 +39,7 @@ class ParamReader {
         end_ = begin_;
         while (end_ < text_.tokens.size() && !token(end_ - begin_).is(";")) ++end_;
         if (end_ == text_.tokens.size() || text_.tokens[end_].line != line_)
-            refuse(std::string("A parameter is declared on one line: ") + kForm);
+            refuse(std::string("A parameter is declared in one line: ") + kForm);
         if (end_ - begin_ == 3 && token(1).is("vec3") && (token(2).is("albedo") || token(2).is("specular"))) {
             (token(2).is("albedo") ? result_.usesAlbedo : result_.usesSpecular) = true;
             return end_ + 1;

@@ -103,7 +103,7 @@ TEST(UserBrdf, WithAWrongParameterIsRefused) {
     refused(param("uniform float a = 0.5; // 0 to 1, \"A"), 2, "closing quote");
     refused(param("uniform vec3 tint;"), 2, "A parameter is declared as");
     refused(param("uniform sampler2D t;"), 2, "not allowed");
-    refused(param("uniform float a"), 2, "declared on one line");
+    refused(param("uniform float a"), 2, "declared in one line");
     refused(param("uniform float blend = 0.5; // 0 to 1"), 2, "edits have that key already");
     refused(param("uniform float max = 0.5; // 0 to 1"), 2, "a name of GLSL");
     refused(param("uniform float a = 0.5; // 0 to 1\nuniform float a = 0.5; // 0 to 1"), 3, "declared twice");
@@ -131,7 +131,7 @@ TEST(UserBrdf, ReachesNothingButItsOwn) {
     refused(evaluating("return shading[0].brdf.albedo.rgb;"), 2, "no field \"brdf\"");
     refused(evaluating("switch (1) { default: break; } return albedo;"), 2, "\"switch\"");
     refused(evaluating("int a = 5 % 0; return albedo;"), 2, "There is no %");
-    refused(evaluating("double a = 1.0lf; return albedo;"), 2, "is not an int, uint or float");
+    refused(evaluating("double a = 1.0lf; return albedo;"), 2, "is no int, uint or float");
 }
 
 TEST(UserBrdf, ThatWouldNotEndOrGrowIsRefused) {
@@ -164,9 +164,9 @@ TEST(UserBrdf, OfAnyShapeIsReadOrRefused) {
     refused(kMattBrdf + repeated(";", 7000), 5, "more than 6000");
     refused(evaluating("float " + std::string(100, 'a') + "; return albedo;"), 2, "more than 64 characters");
     refused(evaluating(repeated("if (wi.z > 2.0) {} else ", 200) + "; return albedo;"), 2, "too many \"else\"");
-    refused(std::string(100, '\0'), 1, "not UTF-8 text");
-    refused("\xff\xfe" + kMattBrdf, 1, "not UTF-8 text");
-    refused("// \xc3\n" + kMattBrdf, 1, "not UTF-8 text");
+    refused(std::string(100, '\0'), 1, "no text in UTF-8");
+    refused("\xff\xfe" + kMattBrdf, 1, "no text in UTF-8");
+    refused("// \xc3\n" + kMattBrdf, 1, "no text in UTF-8");
     for (const char* text :
          {"uniform", "const", "vec3", "vec3 f", "vec3 f(", "for", "\n", "float a[", ";", "const float a"})
         EXPECT_THROW(static_cast<void>(parseUserBrdf("a", text)), Error) << text;
