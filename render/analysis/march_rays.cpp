@@ -2,9 +2,9 @@
 #include "render/analysis/march_rays.h"
 
 #include <algorithm>
-#include <chrono>
 #include <thread>
 
+#include "core/base/clock.h"
 #include "gpu/adapter.h"
 #include "gpu/pass_timer.h"
 #include "gpu/readback.h"
@@ -83,10 +83,10 @@ std::vector<RayHit> RayMarcher::march(std::span<const Ray> rays, MarchMethod met
         pass.end();
     }
     device_.waitIdle();
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = core::Clock::now();
     device_.queue().submit(encoder.finish());
     device_.waitIdle();
-    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    seconds_ = core::secondsSince(start);
     for (const gpu::PassTimer::Timing& timing : timer.takeResults()) seconds_ = timing.seconds;
 
     const auto values = gpu::readBuffer<kernel::vec4>(device_, hitBuffer, 0, rays.size());
