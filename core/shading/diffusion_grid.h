@@ -75,12 +75,21 @@ struct DiffusionGrid {
 
 inline constexpr std::uint32_t kMaxDiffusionBricks = 60000;
 
+/// Exitance of a flat surface for an irradiance of 1, per channel.
+struct FlatSurface {
+    Vector3f integral = Vector3f::Zero();   ///< of the profile
+    Vector3f tolerance = Vector3f::Zero();  ///< deviation explained by the spread of samples (DiffusionProfile)
+
+    /// Exitance from the samples' sum and from their sum for an irradiance of 1 (kernel::diffusion_exitance).
+    [[nodiscard]] Vector3f exitance(const Eigen::Vector3d& sum, const Eigen::Vector3d& whole) const;
+};
+[[nodiscard]] FlatSurface flatSurface(const DiffusionProfile& profile);
+
 /// Contribution of each level to R_d.
 struct DiffusionKernel {
-    std::vector<Vector3f> narrow, wide;       ///< per level [1/m²]: weight of the light smoothed twice, four times
-    Vector3f flatSurface = Vector3f::Zero();  ///< the profile's integral
-    Vector3f tolerance = Vector3f::Zero();    ///< of that, for the spread of samples (DiffusionProfile::tolerance)
-    std::size_t finest = 0;                   ///< first level that is needed; weights of finer ones are zero
+    std::vector<Vector3f> narrow, wide;  ///< per level [1/m²]: weight of the light smoothed twice, four times
+    FlatSurface flat;
+    std::size_t finest = 0;  ///< first level that is needed; weights of finer ones are zero
 };
 
 /// Weights for which the grids' Gaussians approximate `profile`, by least squares over the light of rings around a

@@ -20,7 +20,7 @@ struct BuildPyramidBlock {
     uint finest;        // GeometryBlock::pyramidFinest
     uint blocks;        // GeometryBlock::pyramidBlocks
     uint rows;          // GeometryBlock::pyramidRows
-    float leastW;       // GeometryBlock::leastW [1/m]
+    float minW;         // GeometryBlock::minW [1/m]
     float scale;        // rangeScale
     uint pad0;
     uint pad1;

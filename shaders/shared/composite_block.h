@@ -25,7 +25,7 @@ struct CompositeBlock {
     float translucentWeight;
     float eta;         // relative index of refraction of the boundary
     uint translucent;  // 1: add translucentWeight times the translucent light
-    uint firstDrive;   // of those that vary the weights
+    uint firstDrive;   // first of the drives of the weights
     uint driveCount;
     uint pad0;
     uint pad1;

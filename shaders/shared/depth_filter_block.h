@@ -16,6 +16,9 @@
 
 KERNEL_BEGIN
 
+/// Squared residual, in units of its range, from which on a pair of pixels belongs to another surface; in both twins.
+const float kMaxSquaredResidual = 64.0f;
+
 struct DepthFilterBlock {
     uint width;          // [px]
     uint height;         // [px]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The device's kernels of the analysis against the CPU's, which know nothing of each other.
+// The device's kernels of the analysis against those of the CPU, which are independent of them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -89,7 +89,7 @@ TEST(AnalysisKernels, FilterDepthLikeTheCpu) {
             const ImageF expected = core::analysis::runFilterPass(pass, w, color, picture.labels, core::Progress());
             const ImageF actual = filter->run(pass, w, core::Progress());
             for (std::size_t i = 0; i < w.size(); ++i) {
-                // Sums of 12 pairs of floats, in any order and fused: some units in the last place of w.
+                // Sums of 12 pairs of floats, in any order and possibly fused: a few units in the last place of w.
                 ASSERT_NEAR(actual[i], expected[i], 3e-6f * w[i]) << width << "x" << height << " pixel " << i;
                 changed += std::abs(static_cast<double>(expected[i] - w[i]));
             }
@@ -135,7 +135,7 @@ TEST(AnalysisKernels, FitSurfacesLikeTheCpu) {
                     }
                     ++pixels;
                     // Rounding of inverse depth, 1e-7 of w, over a slope of a pixel, 1e-2 to 1e-3 of w, and twice
-                    // through weights: 1e-3 rad. More where a comparison of the fit tips over.
+                    // through weights: 1e-3 rad. More where a comparison of the fit goes the other way.
                     const bool same = (actual.normal[i] - expected.normal[i]).norm() < 1e-3f &&
                                       std::abs(actual.area[i] - expected.area[i]) < 5e-3f * expected.area[i];
                     different += same ? 0 : 1;
@@ -229,8 +229,8 @@ TEST(AnalysisKernels, FillDirectionsLikeTheCpu) {
         kernels.fillShepard(tree, actual, core::Progress());
         std::size_t different = 0;
         for (std::size_t i = 0; i < map.radiance.size(); ++i) {
-            // Thousands of weights that fall with the cube of an angle: 1e-4. Where a group is at the limit of being
-            // taken as one, the two may differ by what that approximation costs.
+            // Thousands of weights that fall with the cube of an angle: 1e-4. Where a group is at the limit for
+            // counting as one, the two may differ by the error of that approximation.
             different +=
                 (actual.radiance[i] - expected.radiance[i]).norm() > 1e-4f * expected.radiance[i].norm() ? 1 : 0;
             ASSERT_LE((actual.radiance[i] - expected.radiance[i]).norm(), 0.01f * expected.radiance[i].norm())
@@ -246,7 +246,7 @@ TEST(AnalysisKernels, FillDirectionsLikeTheCpu) {
             core::analysis::relaxMembrane(map.coverage, rows, expectedValues, core::Progress());
             kernels.relaxMembrane(map.coverage, rows, actualValues, core::Progress());
             for (std::size_t i = 0; i < map.radiance.size(); ++i)
-                // 60 sweeps that average: rounding does not build up.
+                // 60 sweeps of averages, in which rounding does not accumulate.
                 ASSERT_LE((actualValues[i] - expectedValues[i]).norm(), 1e-5f * scale)
                     << "height " << height << " texel " << i;
         }
@@ -256,11 +256,11 @@ TEST(AnalysisKernels, FillDirectionsLikeTheCpu) {
 
 core::Scene bundledSample() {
     core::Scene scene = core::loadProject(PATINA_SAMPLES "/studio/studio.patina");
-    scene.environment.fill = core::EnvironmentFill::Shepard;  // the membrane is a part of it, too
+    scene.environment.fill = core::EnvironmentFill::Shepard;  // which includes the membrane
     return scene;
 }
 
-/// Photographed depth instead of the rendered one: every pass of the filter has work.
+/// Noisy depth instead of the rendered one, so that every pass of the filter has work.
 core::Scene withNoise(core::Scene scene) {
     auto photo = std::make_shared<core::Photo>(*scene.photo);
     std::mt19937 random(1);
@@ -297,11 +297,11 @@ TEST(AnalysisKernels, AnalyseTheSampleLikeTheCpu) {
             depths += std::abs(actual->front->depth[i] - z) > 1e-5f * z ? 1 : 0;
             normals += (actual->front->normal[i] - expected->front->normal[i]).norm() > 5e-3f ? 1 : 0;
         }
-        // Ranges of later passes come from noise measured on earlier results, so that rounding is carried on.
+        // Ranges of later passes depend on noise measured on earlier results, which propagates rounding.
         EXPECT_LE(static_cast<double>(depths), 1e-3 * static_cast<double>(pixels)) << "noisy " << noisy;
         EXPECT_LE(static_cast<double>(normals), 2e-3 * static_cast<double>(pixels)) << "noisy " << noisy;
 
-        // What the user sees of it: a hundredth of what is estimated, far below the method's own error.
+        // Visible difference: a hundredth of the estimates, far below the error of the method.
         ASSERT_EQ(actual->reflectances.size(), expected->reflectances.size());
         ASSERT_FALSE(expected->reflectances.empty());
         for (std::size_t i = 0; i < expected->reflectances.size(); ++i) {
@@ -440,7 +440,7 @@ TEST(AnalysisKernels, AreTakenAsAskedFor) {
     }
     EXPECT_EQ(render::createAnalysisKernels(AnalysisTwin::Cpu, ""), nullptr);
     EXPECT_NE(render::createAnalysisKernels(AnalysisTwin::Gpu, ""), nullptr);
-    // The tests' device is a software one: the same cores.
+    // The tests' device is a software device.
     EXPECT_EQ(render::createAnalysisKernels(AnalysisTwin::Automatic, ""), nullptr);
     EXPECT_EQ(render::createAnalysisKernels(AnalysisTwin::Automatic, "no such device"), nullptr);
     EXPECT_THROW((void)render::createAnalysisKernels(AnalysisTwin::Gpu, "no such device"), gpu::Error);

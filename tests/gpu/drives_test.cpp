@@ -68,7 +68,7 @@ double agreement(const core::ImageRgb& actual, const core::ImageRgb& expected, c
     return same / count;
 }
 
-/// Everything to the end.
+/// Renders all samples.
 core::ImageRgb finish(render::Renderer& renderer, const core::Scene& scene, const AnalyticScene& source) {
     renderer.setScene(scene, source.analysis());
     for (int i = 0; i < 10000; ++i) {
@@ -117,9 +117,9 @@ TEST(Drives, FollowTheReferenceRendererPathByPath) {
     const core::ImageRgb actual = render::renderImage(device(), scene, analysis);
     const core::ImageRgb expected = core::renderReference(scene, analysis);
     EXPECT_GE(agreement(actual, expected, source.photo->labels, 2), 0.97);
-    // Every pixel of a translucent body sums all its samples, also the few whose rays part.
+    // Every pixel of a translucent body sums all samples, including the few whose rays differ.
     EXPECT_GE(agreement(actual, expected, source.photo->labels, 3, 0.01f), 0.97);
-    // The drives are what is seen.
+    // The drives have a visible effect.
     core::Scene plain = scene;
     plain.findSegment(2)->edit->drives.clear();
     EXPECT_LE(agreement(actual, core::renderReference(plain, analysis), source.photo->labels, 2), 0.1);
@@ -181,7 +181,7 @@ TEST(Drives, PaintingUpdatesWhatIsOnTheDevice) {
     // The same mask again restarts nothing.
     renderer.setScene(scene, source.analysis());
     EXPECT_EQ(renderer.progress().samples, 2);
-    // A second driven parameter moves nothing and is seen.
+    // A second driven parameter leaves the planes in place and has a visible effect.
     scene.findSegment(2)->edit->drives.push_back(drive("blend.original", stroke, 0, 1));
     scene.findSegment(3)->edit = core::defaultMaterial(*core::findBrdf("ggx"));
     scene.findSegment(3)->edit->drives = {drive("alpha", ramp(), 0.1f, 0.9f)};

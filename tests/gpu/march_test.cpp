@@ -88,8 +88,8 @@ TEST(Pyramid, HoldsTheRangesOfItsCellsOnAnySize) {
         const render::PyramidShape& shape = scene.geometry.pyramidShape();
         ASSERT_EQ(shape.finest, 0u);
         ASSERT_GE(1 << shape.top, std::max(width, height)) << "the top is a single cell";
-        const auto [leastW, greatestW] = scene.geometry.rangeOfW();
-        const float scale = kernel::rangeScale(leastW, greatestW);
+        const auto [minW, maxW] = scene.geometry.rangeOfW();
+        const float scale = kernel::rangeScale(minW, maxW);
         const auto cells = gpu::readTexture<kernel::uint>(testing_support::device(), scene.geometry.pyramid());
         ASSERT_GE(cells.size(), shape.cells());
         for (std::uint32_t level = 0; level <= shape.top; ++level) {
@@ -112,8 +112,8 @@ TEST(Pyramid, HoldsTheRangesOfItsCellsOnAnySize) {
                         ASSERT_EQ(cell, kernel::kEmptyCell) << where;
                         continue;
                     }
-                    const float low = (expected.x - leastW) * scale + kernel::kRangeStart;
-                    const float high = (expected.y - leastW) * scale + kernel::kRangeStart;
+                    const float low = (expected.x - minW) * scale + kernel::kRangeStart;
+                    const float high = (expected.y - minW) * scale + kernel::kRangeStart;
                     ASSERT_NEAR(static_cast<float>(cell & 0xffffu), low - 2.5f, 0.6f) << where;
                     ASSERT_NEAR(static_cast<float>(cell >> 16u), high + 2.5f, 0.6f) << where;
                 }
@@ -169,7 +169,7 @@ TEST(March, HitsASphereWhereTheMathsSays) {
     Scene scene(source);
     std::mt19937 random(5);
     std::vector<render::Ray> rays;
-    std::vector<double> expected;  // distance, < 0 = passes by
+    std::vector<double> expected;  // distance, < 0 = misses
     while (rays.size() < 4000) {
         // From a point beside the sphere, inside the view cone, towards a random point around it.
         const Vector3f origin = Vector3f(0, 0, 1) + 0.33f * testing_support::randomDirection(random);
@@ -180,7 +180,7 @@ TEST(March, HitsASphereWhereTheMathsSays) {
         const double b = o.dot(d.cast<double>());
         const double root = b * b - (o.squaredNorm() - double{radius} * radius);
         const double closest = std::sqrt(o.squaredNorm() - b * b);
-        if (std::abs(closest - double{radius}) < 0.02) continue;  // grazing: the silhouette's pixels decide
+        if (std::abs(closest - double{radius}) < 0.02) continue;  // grazing rays depend on the pixels of the outline
         rays.push_back({origin, d});
         expected.push_back(root > 0 && b < 0 ? -b - std::sqrt(root) : -1.0);
     }
@@ -192,7 +192,7 @@ TEST(March, HitsASphereWhereTheMathsSays) {
         else if (hits[i].found && std::abs(double{hits[i].distance} - expected[i]) > 0.01)
             ++wrong;
     }
-    // The silhouette seen from the camera is a band of pixels where the two halves meet in a step.
+    // In a band of pixels along the outline the two halves meet in a step.
     EXPECT_LE(wrong, rays.size() / 100);
 }
 
@@ -203,7 +203,7 @@ TEST(March, SurvivesDegenerateRays) {
     const float nan = std::nanf("");
     std::vector<render::Ray> rays = {
         {{0, 0, 0.5f}, {0, 0, 1}},         // along the view direction, away from the camera
-        {{0, 0, 3.0f}, {0, 0, -1}},        // towards the camera: w grows without end
+        {{0, 0, 3.0f}, {0, 0, -1}},        // towards the camera: w grows without limit
         {camera.ray(64, 48), {1, 0, 0}},   // axis-parallel on a cell border
         {camera.ray(64, 48), {0, -1, 0}},  // the other axis
         {camera.ray(32, 32) * 2, {0, 0, 1}},
@@ -228,7 +228,7 @@ TEST(March, SurvivesDegenerateRays) {
         EXPECT_TRUE(!hits[i].found || std::isfinite(hits[i].distance)) << "ray " << i;
 }
 
-/// Rays with a hit far away beside such that end at once, in an order that no workgroup's share repeats.
+/// Rays with distant hits among rays that end at once, in an order that does not repeat with any workgroup's share.
 std::vector<render::Ray> unevenRays(const AnalyticScene& source, int count) {
     std::vector<render::Ray> rays = randomRays(source, count, 11);
     std::mt19937 random(12);
@@ -250,7 +250,7 @@ std::vector<render::Ray> unevenRays(const AnalyticScene& source, int count) {
 TEST(March, EndsEveryRayOfALongList) {
     const AnalyticScene source = testing_support::makeRandomScene(211, 157, 2);
     Scene scene(source);
-    // Larger than what all workgroups take at once, and a multiple of nothing.
+    // More than all workgroups take at once, and a multiple of no block size.
     const auto rays = unevenRays(source, 200003);
     const auto hits = scene.march(rays);
     std::size_t oracleHits = 0;

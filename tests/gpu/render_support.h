@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -15,6 +17,8 @@
 #include "gpu/adapter.h"
 #include "gpu/device.h"
 #include "gpu/instance.h"
+#include "gpu/readback.h"
+#include "render/renderer.h"
 
 /// Small analytic scenes for the tests of kernels and renderer.
 namespace testing_support {
@@ -27,7 +31,7 @@ inline gpu::Device device() {
     return device;
 }
 
-/// The named BRDF as the material editor first shows it.
+/// The named BRDF with its initial values.
 inline core::Material material(const char* brdf) { return core::defaultMaterial(*core::findBrdf(brdf)); }
 
 struct Sphere {
@@ -176,6 +180,74 @@ inline AnalyticScene makeRandomScene(int width, int height, unsigned seed) {
              Vector3f(uniform(random), uniform(random), uniform(random))});
     return makeAnalyticScene(width, height, spheres, 2.0f,
                              [](const Vector3f& d) -> Vector3f { return Vector3f(1.0f, 0.8f, 0.6f) * (1.2f - d.y()); });
+}
+
+inline core::Material ggx(float alpha) {
+    core::Material m = material("ggx");
+    m.values[0] = alpha;
+    m.specular = Vector3f(0.9f, 0.7f, 0.5f);
+    return m;
+}
+
+/// A translucent material without a surface of its own.
+inline core::Material marble() {
+    core::Material m = material("none");
+    m.translucency = core::Translucency();
+    m.translucency->sigmaA = Vector3f(0.02f, 0.04f, 0.07f);
+    m.translucency->sigmaSPrime = Vector3f(0.3f, 0.35f, 0.4f);
+    return m;
+}
+
+/// `source` with one segment edited, unfiltered.
+inline core::Scene edited(const AnalyticScene& source, std::uint16_t label, const core::Material& m, int samples) {
+    core::Scene scene = source.scene();
+    scene.findSegment(label)->edit = m;
+    scene.render.samples = samples;
+    scene.render.filter = false;
+    return scene;
+}
+
+struct Comparison {
+    double nearlyEqual = 0;     ///< share of the segment's pixels that agree within 0.2 % + 1e-3
+    double meanDifference = 0;  ///< relative difference of the means over the segment
+    std::size_t pixels = 0;
+};
+
+inline Comparison compare(const core::ImageRgb& actual, const core::ImageRgb& expected, const core::LabelImage& labels,
+                          std::uint16_t label) {
+    Comparison result;
+    double sumActual = 0;
+    double sumExpected = 0;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (labels[i] != label) continue;
+        ++result.pixels;
+        result.nearlyEqual +=
+            (actual[i] - expected[i]).cwiseAbs().maxCoeff() <= 0.002f * expected[i].cwiseAbs().maxCoeff() + 1e-3f;
+        sumActual += static_cast<double>(actual[i].sum());
+        sumExpected += static_cast<double>(expected[i].sum());
+    }
+    result.nearlyEqual /= static_cast<double>(result.pixels);
+    result.meanDifference = std::abs(sumActual - sumExpected) / sumExpected;
+    return result;
+}
+
+/// Records and submits until there is nothing left; returns the number of submissions that did not merely wait.
+inline int finish(render::Renderer& renderer, double budgetSeconds) {
+    int slices = 0;
+    for (int i = 1; i < 100000; ++i) {
+        gpu::CommandEncoder encoder = device().createCommandEncoder({.label = "test"});
+        const bool worked = renderer.record(encoder, budgetSeconds);
+        device().queue().submit(encoder.finish());
+        device().waitIdle();
+        if (!renderer.progress().waiting) ++slices;
+        if (!worked) return slices;
+    }
+    ADD_FAILURE() << "the renderer does not end";
+    return 0;
+}
+
+inline std::vector<float> pixels(const render::Renderer& renderer) {
+    return gpu::readTexture<float>(device(), renderer.result());
 }
 
 }  // namespace testing_support

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// BRDFs that the user wrote: what the compiler and the check say of them, and what they render.
+// BRDFs that the user wrote: messages of the compiler and the check, and their pictures.
 #include <gtest/gtest.h>
 
 #include "core/material/brdf_file.h"
@@ -19,7 +19,7 @@ using test::evaluating;
 using test::expectError;
 using test::kMattBrdf;
 
-/// The program's own ggx, in a file.
+/// The built-in ggx as a file.
 const std::string kGgx = R"(uniform vec3 specular;
 uniform float alpha = 0.2;  // 0.01 to 1, log
 vec3 evaluate(vec3 wo, vec3 wi) { return fresnel(dot(wo, normalize(wo + wi))) * ggx_lobe(vec2(alpha), wo, wi); }
@@ -87,7 +87,7 @@ TEST_F(UserBrdf, WhoseValuesAreWrongIsRefused) {
     refused(evaluating("return vec3(0.2 / (wi.z - wi.z));"), {"a.brdf.glsl:2: ", "infinite or not a number"});
     refused(evaluating("return albedo * (0.3 - wi.z);"), {"a.brdf.glsl:2: ", "negative"});
     refused(evaluating("return albedo * 0.4;"), {"a.brdf.glsl:2: ", "1.257 times what it receives"});
-    // Only at the end of a parameter's range.
+    // Wrong only at the end of a parameter's range.
     refused("uniform float gain = 0.3;  // 0 to 0.6\n" + evaluating("return albedo * gain;"),
             {"a.brdf.glsl:3: ", "1.885 times", "gain = 0.6"});
 }
@@ -98,7 +98,7 @@ TEST_F(UserBrdf, WhoseSamplesAreWrongIsRefused) {
     refused(
         test::replaced(test::sampling(half), "return wi.z * kInvPi", "return wi.x > 0.0 ? 2.0 * wi.z * kInvPi : 0.0"),
         {"a.brdf.glsl:4: ", "leaves out directions", "0.5 of the light by samples"});
-    // A lobe that is a tenth wider than its density says.
+    // A lobe that is a tenth wider than its density.
     refused(test::replaced(kGgx, "ggx_lobe_pdf(vec2(alpha)", "ggx_lobe_pdf(vec2(1.1 * alpha)"),
             {"a.brdf.glsl:5: ", "does not follow pdf()"});
     refused(test::sampling("return 1.1 * sample_cosine_hemisphere(u);"), {"a.brdf.glsl:4: ", "unit length"});
@@ -136,7 +136,7 @@ TEST_F(UserBrdf, RendersAsTheSameBrdfOfTheProgram) {
     }
     const core::ImageRgb actual = render::renderImage(device(), user, source.analysis());
     EXPECT_GE(equalShare(actual, expected, source.photo->labels, 2), 0.97);
-    // The sum below the surface differs from the reference's, but not from the device's own.
+    // The sum below the surface differs from that of the reference, but not from the device's own.
     const core::ImageRgb same = render::renderImage(device(), own, source.analysis());
     EXPECT_GE(equalShare(actual, same, source.photo->labels, 3), 0.97);
 }
