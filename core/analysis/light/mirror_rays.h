@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/analysis/kernels.h"
 #include "core/analysis/segment/continued_supports.h"
-#include "core/analysis/segment/segment_pixels.h"
+#include "core/base/label_table.h"
+#include "core/base/pixel.h"
 #include "core/scene/scene.h"
 
 namespace core::analysis {
@@ -26,7 +28,7 @@ struct ReflectanceInput {
     AnalysisKernels::RayMarcher& marcher;  ///< through `front` and `back`
     const Image<std::uint8_t>& distant;    ///< 1 = the pixel shows distant light (`findDistantPixels`)
     const ContinuedSupports& continued;
-    const std::vector<bool>& glossy;  ///< by label: the photo's colour of the segment is true for one viewer only
+    const LabelTable<bool>& glossy;        ///< true: the segment's colours in the photo depend on the viewer
     std::uint16_t label = 0;          ///< the segment
     int rows = 0;                     ///< of the directional maps
 };

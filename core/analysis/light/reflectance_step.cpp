@@ -31,7 +31,7 @@ void updateCache(Board& board, std::span<const Segment* const> glossy, const Ste
             stale.push_back(segment->label);
     if (stale.empty()) return;
 
-    std::vector<bool> isGlossy(65536, false);
+    LabelTable<bool> isGlossy(false);
     for (const Segment* segment : glossy) isGlossy[segment->label] = true;
     const auto marcher = context.kernels.rayMarcher(*board.layers);
     const ContinuedSupports continued(scene.photo->camera, scene.photo->labels, *board.front);
