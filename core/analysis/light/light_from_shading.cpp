@@ -52,7 +52,7 @@ Vector3f clampedGradient(const Vector3f& gradient) {
 /// Weighted means over the pixels of one segment.
 struct SegmentMean {
     double weight = 0;
-    double residual = 0;  ///< log luminance over irradiance: logarithm of the albedo
+    double residual = 0;                              ///< log luminance over irradiance: logarithm of the albedo
     Eigen::Vector3d slope = Eigen::Vector3d::Zero();  ///< derivative of log irradiance by v
 };
 using SegmentMeans = std::map<std::uint16_t, SegmentMean>;
@@ -130,9 +130,9 @@ float concentrationOf(float m) {
 /// Statistics of all pixels with depth.
 struct Brightness {
     std::vector<float> luminances;
-    double sum = 0;                                        ///< of the luminances
-    Eigen::Vector3d normals = Eigen::Vector3d::Zero();     ///< sum of the normals
-    std::vector<std::size_t> shaded;                       ///< labelled pixels with light, by index
+    double sum = 0;                                     ///< of the luminances
+    Eigen::Vector3d normals = Eigen::Vector3d::Zero();  ///< sum of the normals
+    std::vector<std::size_t> shaded;                    ///< labelled pixels with light, by index
 };
 
 Brightness measureBrightness(const Photo& photo, const Surface& front) {

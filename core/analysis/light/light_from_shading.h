@@ -17,8 +17,8 @@ struct ShadingLight {
 };
 
 /// The light where nothing in the photograph mirrors it. Pixels of one segment are taken to differ by their irradiance
-/// E(n)/π = mean·(1 + v·n) and by texture, so v is fitted to log luminance with an unknown albedo per segment. The fit is
-/// robust, and drawn weakly towards a light from above, which is all that is left when no segment is curved.
+/// E(n)/π = mean·(1 + v·n) and by texture, so v is fitted to log luminance with an unknown albedo per segment. The fit
+/// is robust, and drawn weakly towards a light from above, which is all that is left when no segment is curved.
 /// Brightness: the surfaces in a photograph reflect 18 % on average, as cameras meter it, and none reflects more than
 /// 80 %. The light is white, because photographs are white balanced. Radiance 1 from everywhere when the photograph has
 /// no light or no depth.

@@ -28,9 +28,9 @@ struct ReflectanceInput {
     AnalysisKernels::RayMarcher& marcher;  ///< through `front` and `back`
     const Image<std::uint8_t>& distant;    ///< 1 = the pixel shows distant light (`findDistantPixels`)
     const ContinuedSupports& continued;
-    const LabelTable<bool>& glossy;        ///< true: the segment's colours in the photo depend on the viewer
-    std::uint16_t label = 0;          ///< the segment
-    int rows = 0;                     ///< of the directional maps
+    const LabelTable<bool>& glossy;  ///< true: the segment's colours in the photo depend on the viewer
+    std::uint16_t label = 0;         ///< the segment
+    int rows = 0;                    ///< of the directional maps
 };
 
 /// Where a ray from a pixel of the segment, or from its centre, ended.
@@ -58,9 +58,9 @@ struct RayEnd {
 
 /// The pixels of the segment whose mirrored rays are traced.
 struct TracedPixels {
-    std::vector<Pixel> pixels;  ///< row by row; interior ones only, unless there are none
-    bool complete = true;       ///< false: the segment is so large that only every n-th pixel is traced
-    std::size_t segmentSize = 0;  ///< pixels of the segment with depth, outlines included
+    std::vector<Pixel> pixels;        ///< row by row; interior ones only, unless there are none
+    bool complete = true;             ///< false: the segment is so large that only every n-th pixel is traced
+    std::size_t segmentSize = 0;      ///< pixels of the segment with depth, outlines included
     Eigen::Vector3d center{0, 0, 0};  ///< [m] mean of the segment's front and back; zero for an empty segment
 };
 [[nodiscard]] TracedPixels tracedPixels(const ReflectanceInput& in);

@@ -32,9 +32,9 @@ inline constexpr float kMinCommonSolidAngle = 0.02f;
 /// 2. Pairs: what such a pixel shows against what its mirrored ray alone meets, binned by direction; every texel weighs
 ///    its solid angle. No parallax between the segment's points and its centre.
 /// 3. Where the pairs cover less than `kMinCommonSolidAngle`: the texels covered in both L_S and L_G.
-/// Sources 2 and 3 leave out texels whose ratio of luminance is among the lowest or highest tenth. Clamped to [0.02, 1].
-/// `reliable` is false when no source covers `kMinCommonSolidAngle` (ρ is then the ratio of the filled maps' means), and
-/// when the segment shows clearly more light than it mirrors, so that it is not a pure mirror.
+/// Sources 2 and 3 leave out texels whose ratio of luminance is among the lowest or highest tenth. Clamped to [0.02,
+/// 1]. `reliable` is false when no source covers `kMinCommonSolidAngle` (ρ is then the ratio of the filled maps'
+/// means), and when the segment shows clearly more light than it mirrors, so that it is not a pure mirror.
 [[nodiscard]] SegmentReflections estimateReflectance(const ReflectanceInput& in, const StepContext& context);
 
 /// True if the estimate is inconsistent with a pure mirror: the segment has diffuse colour of its own.

@@ -37,10 +37,10 @@ void updateCache(Board& board, std::span<const Segment* const> glossy, const Ste
     const ContinuedSupports continued(scene.photo->camera, scene.photo->labels, *board.front);
     for (std::size_t i = 0; i < stale.size(); ++i) {
         const auto count = static_cast<float>(stale.size());
-        const StepContext part =
-            context.part(static_cast<float>(i) / count, static_cast<float>(i + 1) / count);
-        const ReflectanceInput in{scene,     *board.front, board.back->surface, *marcher, board.depth->distant,
-                                  continued, isGlossy,     stale[i],            scene.environment.height};
+        const StepContext part = context.part(static_cast<float>(i) / count, static_cast<float>(i + 1) / count);
+        const ReflectanceInput in{
+            scene,    *board.front, board.back->surface,     *marcher, board.depth->distant, continued,
+            isGlossy, stale[i],     scene.environment.height};
         board.reflectanceCache[stale[i]] = {key, std::make_shared<SegmentReflections>(estimateReflectance(in, part))};
     }
 }

@@ -107,8 +107,7 @@ std::vector<MirrorQuad> quadsToInterpolate(const ReflectanceInput& in, std::span
 void addBetween(const ReflectanceInput& in, std::span<const Mirror> mirrors, const MirrorQuad& quad,
                 DirectionalAccumulator& sum) {
     unsigned clipped = 0;
-    for (const std::size_t k : quad.corners)
-        clipped |= clippedChannels(*in.scene.photo, mirrors[k].x, mirrors[k].y);
+    for (const std::size_t k : quad.corners) clipped |= clippedChannels(*in.scene.photo, mirrors[k].x, mirrors[k].y);
     for (int i = 1; i < quad.steps * quad.steps; ++i) {
         const float u = static_cast<float>(i % quad.steps) / static_cast<float>(quad.steps);
         const float v = static_cast<float>(i / quad.steps) / static_cast<float>(quad.steps);

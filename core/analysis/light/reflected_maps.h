@@ -10,11 +10,11 @@ namespace core::analysis {
 
 /// What the segment shows, averaged by mirrored direction. Coverage = sum of the pixels' sharpness.
 struct ReflectedMaps {
-    DirectionalMap all;                ///< L_S: pixels that mirror anything but the segment itself
-    DirectionalMap missed;             ///< `SegmentReflections::missed`
-    Image<std::uint8_t> overSupport;   ///< `SegmentReflections::overSupport`
-    DirectionalMap pairReflected;      ///< unclipped pixels whose ray meets a true colour; coverage = their number
-    DirectionalMap pairIncident;       ///< these true colours, in the same texels
+    DirectionalMap all;               ///< L_S: pixels that mirror anything but the segment itself
+    DirectionalMap missed;            ///< `SegmentReflections::missed`
+    Image<std::uint8_t> overSupport;  ///< `SegmentReflections::overSupport`
+    DirectionalMap pairReflected;     ///< unclipped pixels whose ray meets a true colour; coverage = their number
+    DirectionalMap pairIncident;      ///< these true colours, in the same texels
 };
 [[nodiscard]] ReflectedMaps averageReflected(const ReflectanceInput& in, const TracedPixels& pixels,
                                              std::span<const Mirror> mirrors);

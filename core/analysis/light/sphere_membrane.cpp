@@ -45,8 +45,8 @@ void startFrom(ImageRgb&& coarse, const ImageF& coverage, ImageRgb& values) {
     for (int y = 0; y < values.height(); ++y)
         for (int x = 0; x < values.width(); ++x)
             if (!(coverage(x, y) > 0))
-                values(x, y) = guess.lookupTexel(
-                    {0.5f * (static_cast<float>(x) + 0.5f), 0.5f * (static_cast<float>(y) + 0.5f)});
+                values(x, y) =
+                    guess.lookupTexel({0.5f * (static_cast<float>(x) + 0.5f), 0.5f * (static_cast<float>(y) + 0.5f)});
 }
 
 }  // namespace
