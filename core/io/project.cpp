@@ -162,7 +162,7 @@ void readEnvironment(const json& value, const PathReader& paths, EnvironmentPara
     paths.read(reader, "path", params.path);
     reader.read("rotation", params.rotation, -1000.0f, 1000.0f);
     reader.read("scale", params.scale, 0.0f, 1e6f);
-    reader.read("height", params.height, 4, 4096);
+    reader.read("height", params.height, kMinMapRows, kMaxMapRows);
     if (const auto use = reader.readChoice("use", kEnvironmentUses)) params.use = static_cast<EnvironmentUse>(*use);
     if (const auto fill = reader.readChoice("fill", kEnvironmentFills))
         params.fill = static_cast<EnvironmentFill>(*fill);

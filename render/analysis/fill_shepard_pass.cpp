@@ -95,7 +95,7 @@ void FillShepardPass::run(const core::analysis::DirectionTree& tree, core::Direc
                                                         .first = static_cast<kernel::uint>(first),
                                                         .count = static_cast<kernel::uint>(count),
                                                         .opening = core::analysis::DirectionTree::kOpening,
-                                                        .minCube = core::analysis::DirectionTree::kLeastCube,
+                                                        .minCube = core::analysis::DirectionTree::kMinCube,
                                                         .pad0 = 0,
                                                         .pad1 = 0,
                                                         .pad2 = 0};
