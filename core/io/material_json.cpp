@@ -7,7 +7,6 @@
 
 #include "core/io/drive_json.h"
 #include "core/io/json_reader.h"
-#include "core/io/project.h"
 #include "core/material/brdf.h"
 #include "core/material/brdf_file.h"
 #include "core/material/material_ranges.h"

@@ -521,22 +521,19 @@ Step reflectanceStep() {
     step.reads = {Item::Photo, Item::Depth, Item::Front, Item::Back, Item::Layers};
     step.writes = Item::Reflectances;
     step.params = [](const Scene& scene, Hash& hash) {
-        hash.add(scene.environment.height).add(scene.environment.fill);
-        for (const Segment& segment : scene.segments) {
-            if (!segment.glossy) continue;
-            hash.add(segment.label).add(segment.reflectance.has_value());
-            if (segment.reflectance) hash.add(*segment.reflectance);
-            hash.add(segment.lobeWidth.value_or(0.0f));
-        }
+        addParams(hash, Stage::Reflectance, scene);
+        for (const Segment& segment : scene.segments)
+            if (segment.glossy) addParams(hash.add(segment.label), Stage::Reflectance, segment);
     };
     step.run = [](Board& board, const StepContext& context) {
         const Scene& scene = *board.scene;
         std::vector<const Segment*> glossy;
         for (const Segment& segment : scene.segments)
             if (segment.glossy) glossy.push_back(&segment);
-        // Which surfaces are glossy decides what counts as known for all of them.
+        // Which surfaces are glossy decides what counts as known for all of them. A segment's own ρ and lobe width
+        // replace the estimate below and stay out of the key.
         Hash hash;
-        hash.add(board.layersKey).add(scene.environment.height).add(scene.environment.fill);
+        addParams(hash.add(board.layersKey), Stage::Reflectance, scene);
         for (const Segment* segment : glossy) hash.add(segment->label);
 
         const auto marcher = context.kernels.rayMarcher(*board.layers);
