@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/image.h"
+#include "core/base/words.h"
 
 namespace core {
 
@@ -39,6 +40,11 @@ class JsonReader {
     void readColorOrNumber(const char* key, Vector3f& target, float min, float max);
     /// Index of one of a list of words.
     [[nodiscard]] std::optional<std::size_t> readChoice(const char* key, const std::vector<std::string>& words);
+    /// One of the words of an enumeration.
+    template <class E>
+    void readWord(const char* key, E& target) {
+        if (const auto row = readChoice(key, wordsOf<E>())) target = Words<E>::table[*row].value;
+    }
 
     /// Throws when a key is missing.
     void require(const char* key) const;

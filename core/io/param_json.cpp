@@ -39,6 +39,8 @@ json writeValue(const ParamRow& row, const ParamValue& value) {
         value);
 }
 
+}  // namespace
+
 template <class Owner>
 void readParam(JsonReader& reader, const Param<Owner>& param, Owner& owner) {
     const char* key = paramName(param);
@@ -59,8 +61,6 @@ void readParam(JsonReader& reader, const Param<Owner>& param, Owner& owner) {
         },
         param.initial);
 }
-
-}  // namespace
 
 template <class Owner>
 void readParams(JsonReader& reader, std::span<const Param<Owner>> params, Owner& owner,
@@ -96,7 +96,10 @@ void writeParams(ordered_json& target, std::span<const Param<Owner>> params, con
 using MoreKeys = std::function<void(std::string_view, JsonReader&)>;
 template void readParams(JsonReader&, std::span<const SegmentParam>, Segment&, const MoreKeys&);
 template void readParams(JsonReader&, std::span<const SceneParam>, Scene&, const MoreKeys&);
+template void readParams(JsonReader&, std::span<const MaterialParam>, Material&, const MoreKeys&);
+template void readParam(JsonReader&, const TranslucencyParam&, Translucency&);
 template void writeParams(ordered_json&, std::span<const SegmentParam>, const Segment&);
 template void writeParams(ordered_json&, std::span<const SceneParam>, const Scene&);
+template void writeParams(ordered_json&, std::span<const MaterialParam>, const Material&);
 
 }  // namespace core

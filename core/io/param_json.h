@@ -11,6 +11,10 @@
 
 namespace core {
 
+/// Reads one parameter from the object that holds it.
+template <class Owner>
+void readParam(JsonReader& reader, const Param<Owner>& param, Owner& owner);
+
 /// Reads the parameters of an owner from its object in a project file and from the objects inside that one. Absent keys
 /// leave a parameter as it is; null = automatic, where that is possible. Errors name the key, the value and the range
 /// or words expected. `more` may read further keys of an inner object, which it gets by name.

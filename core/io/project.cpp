@@ -55,8 +55,7 @@ PhotoRequest readPhoto(const json& value, const PathReader& paths) {
     paths.read(reader, "color", request.source.color);
     paths.read(reader, "depth", request.source.depth);
     paths.read(reader, "segments", request.source.segments);
-    if (const auto kind = reader.readChoice("depth_kind", wordsOf<DepthKind>()))
-        request.source.depthKind = Words<DepthKind>::table[*kind].value;
+    reader.readWord("depth_kind", request.source.depthKind);
     if (reader.has("depth_unit")) {
         double unit = 1;
         reader.read("depth_unit", unit, 1e-12, 1e12);

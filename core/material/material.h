@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/base/image.h"
+#include "core/base/words.h"
+#include "shaders/shared/param_info.h"
 
 namespace core {
 
@@ -18,6 +20,13 @@ enum class Fresnel { None = 0, Schlick = 1, Dielectric = 2, Conductor = 3 };
 /// How light spreads below a surface: the dipole of [JMLH01], or the better one of [dEon12], whose exitance counts
 /// fluence too and whose diffusion holds for absorbing media.
 enum class ScatteringModel : std::uint8_t { Dipole, BetterDipole };
+
+template <>
+struct Words<ScatteringModel> {
+    static constexpr Word<ScatteringModel> table[] = {
+        {ScatteringModel::Dipole, "dipole", PARAM_LABEL("scene", "Dipole")},
+        {ScatteringModel::BetterDipole, "better_dipole", PARAM_LABEL("scene", "Better dipole")}};
+};
 
 /// Multiple scattering below the surface, dipole diffusion (docs/method.md#translucency, [JMLH01]). Coefficients in
 /// 1/mm as published; converted to 1/m once, in `profileFromTranslucency`.

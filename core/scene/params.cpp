@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "core/base/error.h"
+#include "core/material/material_ranges.h"
 
 namespace core {
 
@@ -390,6 +391,60 @@ std::span<const SegmentParam> segmentParams() {
 
 std::span<const SceneParam> sceneParams() {
     static const auto kRows = joined<SceneParam>({depthFilterParams(), environmentParams(), renderParams()});
+    return kRows;
+}
+
+std::span<const MaterialParam> blendParams() {
+    static const std::vector<MaterialParam> kRows = {
+        at<&Material::blendNew>({.key = "blend.new",
+                                 .label = PARAM_LABEL("scene", "New"),
+                                 .help = PARAM_LABEL("scene", "Weight of the new surface"),
+                                 .legal = {0, kMaxWeight},
+                                 .slider = {0, 2},
+                                 .decimals = 2,
+                                 .stage = Stage::Composite}),
+        at<&Material::blendOriginal>({.key = "blend.original",
+                                      .label = PARAM_LABEL("scene", "Photograph"),
+                                      .help = PARAM_LABEL("scene", "Weight of the photograph underneath"),
+                                      .legal = {0, kMaxWeight},
+                                      .slider = {0, 2},
+                                      .decimals = 2,
+                                      .stage = Stage::Composite}),
+    };
+    return kRows;
+}
+
+std::span<const TranslucencyParam> translucencyParams() {
+    static const std::vector<TranslucencyParam> kRows = {
+        at<&Translucency::model>(
+            {.key = "translucency.model",
+             .label = PARAM_LABEL("scene", "Model"),
+             .help = PARAM_LABEL("scene", "Better dipole: more accurate for strongly absorbing materials"),
+             .stage = Stage::Irradiance}),
+        at<&Translucency::eta>({.key = "translucency.eta",
+                                .label = PARAM_LABEL("scene", "Index"),
+                                .help = PARAM_LABEL("scene", "Relative index of refraction; 1 = no boundary"),
+                                .legal = {1, 3},
+                                .slider = {1, 2.5},
+                                .decimals = 2,
+                                .stage = Stage::Irradiance}),
+        at<&Translucency::scale>(
+            {.key = "translucency.scale",
+             .label = PARAM_LABEL("scene", "Size"),
+             .help = PARAM_LABEL("scene", "Scale the object by this factor; larger objects look less translucent"),
+             .legal = {1e-4, 1e4},
+             .slider = {0.01, 100},
+             .logScale = true,
+             .decimals = 2,
+             .stage = Stage::Irradiance}),
+        at<&Translucency::weight>({.key = "translucency.weight",
+                                   .label = PARAM_LABEL("scene", "Weight"),
+                                   .help = PARAM_LABEL("scene", "Scale the light that was scattered inside"),
+                                   .legal = {0, kMaxWeight},
+                                   .slider = {0, 4},
+                                   .decimals = 2,
+                                   .stage = Stage::Composite}),
+    };
     return kRows;
 }
 

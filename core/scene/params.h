@@ -11,9 +11,9 @@
 #include "core/scene/changes.h"
 #include "core/scene/scene.h"
 
-// The table of everything a user can set in a scene, apart from materials. One row per parameter drives project files,
-// the command line's ranges, the panels, `firstChangedStage`, the cache keys of the analysis and their tests. A new
-// parameter is its member in scene.h and a row in params.cpp.
+// The table of everything a user can set in a scene, apart from the parameters of BRDFs. One row per parameter drives
+// project files, the command line's ranges, the panels, `firstChangedStage`, the cache keys of the analysis and their
+// tests. A new parameter is its member in scene.h and a row in params.cpp.
 
 namespace core {
 
@@ -62,10 +62,17 @@ struct Param : ParamRow {
 };
 using SegmentParam = Param<Segment>;
 using SceneParam = Param<Scene>;
+using MaterialParam = Param<Material>;
+using TranslucencyParam = Param<Translucency>;
 
 /// All rows, in the order of project files.
 [[nodiscard]] std::span<const SegmentParam> segmentParams();
 [[nodiscard]] std::span<const SceneParam> sceneParams();
+
+/// Weights of a material; the parameters of its BRDF are in the BRDF's own table (core/material/brdf.h).
+[[nodiscard]] std::span<const MaterialParam> blendParams();
+/// Translucency of a material, except its coefficients. Here "translucency" is the object itself.
+[[nodiscard]] std::span<const TranslucencyParam> translucencyParams();
 
 /// The row of a key, which has to exist.
 [[nodiscard]] const SegmentParam& segmentParam(std::string_view key);
