@@ -46,7 +46,7 @@ struct ParamOption {
 constexpr ParamOption kParamOptions[] = {
     {"--samples", "render.samples", "N", "Paths per pixel"},
     {"--time-limit", "render.time_limit", "S",
-     "Stop after so many seconds of rendering, but not before the first picture"},
+     "Stop rendering after this many seconds, but not before the first picture"},
     {"--bounces", "render.bounces", "N", "Surfaces a path may visit"},
     {"--seed", "render.seed", "N", "Seed of the random numbers"},
     {"--no-filter", "render.filter", "", "Leave the noise in"},

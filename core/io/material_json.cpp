@@ -138,7 +138,7 @@ std::vector<std::string> namedParameters(const json& edit) {
     return names;
 }
 
-/// The material that "brdf" names, with its initial values.
+/// The material of the BRDF named in the edit, with its initial values.
 Material readBrdf(JsonReader& reader, const json& edit, const std::string& folder, std::vector<std::string>* notes) {
     const json& name = *reader.find("brdf");
     if (!name.is_string() || !name.get<std::string>().starts_with(kFilePrefix))

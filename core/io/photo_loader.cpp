@@ -18,8 +18,8 @@ namespace core {
 namespace {
 
 constexpr double kDefaultFovDegrees = 60;
-constexpr double kFilmDiagonal = 43.266615;  // of a 36 mm x 24 mm frame [mm]
-constexpr double kShapeTolerance = 0.02;     // of width / height
+constexpr double kFilmDiagonal = 43.266615;  ///< diagonal [mm] of a 36 mm x 24 mm frame
+constexpr double kShapeTolerance = 0.02;     ///< relative difference of width / height
 
 void note(std::vector<std::string>* notes, const std::string& sentence) {
     if (notes != nullptr) notes->push_back(sentence);

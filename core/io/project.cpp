@@ -95,7 +95,7 @@ Segment readSegment(const json& value, const std::string& place, MaskLoader& mas
 
 void readSegments(const json& list, const std::string& folder, Scene& scene, std::vector<std::string>* notes) {
     MaskLoader masks(folder);
-    if (!list.is_array()) throw Error(ErrorKind::Input, "\"segments\" is no list [...].");
+    if (!list.is_array()) throw Error(ErrorKind::Input, "\"segments\" is not a list [...].");
     std::set<std::uint16_t> labels;
     std::set<std::string> names;
     std::set<std::uint16_t> present;
@@ -157,7 +157,7 @@ Scene readProject(const std::string& path, std::vector<std::string>* notes) {
     return scene;
 }
 
-/// `path` as seen from `folder`; both through their real folders, because ".." does not mean the same behind a link.
+/// `path` relative to `folder`, resolving links, because ".." means something else behind a link.
 std::string relativeTo(const fs::path& folder, const std::string& path) {
     if (path.empty()) return {};
     std::error_code code;
@@ -198,7 +198,7 @@ ordered_json writeScene(const Scene& scene, const fs::path& folder) {
     result["photo"] = writePhoto(*scene.photo, folder);
     result["segments"] = ordered_json::array();
     for (const Segment& segment : scene.segments) result["segments"].push_back(writeSegment(segment, folder));
-    // Keys that are written first decide the order.
+    // Created first, because insertion decides the order of keys.
     result["depth_filter"] = ordered_json::object();
     result["environment"] = ordered_json::object();
     if (!scene.environment.path.empty()) result["environment"]["path"] = relativeTo(folder, scene.environment.path);

@@ -39,9 +39,9 @@ class ParamSlider : public QWidget {
     [[nodiscard]] const ParamSpec& spec() const { return spec_; }
 
   signals:
-    /// The user changed the value; many times while the slider moves.
+    /// The user changed the value; emitted continuously while the slider moves.
     void valueChanged(double value);
-    /// The user let go: the change is one step.
+    /// The user released the slider or left the box: the change is complete.
     void editingFinished();
 
   protected:
