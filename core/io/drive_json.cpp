@@ -17,7 +17,7 @@ namespace {
 constexpr float kMaxFactor = 100;
 constexpr float kMaxStrength = 100;
 
-/// A scalar's value; of a colour, [r, g, b] or a factor on the material's own.
+/// Value of a scalar; for a colour, [r, g, b] or a factor on the material's own.
 std::optional<DriveEnd> readEnd(JsonReader& reader, const char* key, const DriveParameter& parameter) {
     const json* value = reader.find(key);
     if (value == nullptr) return std::nullopt;
@@ -38,7 +38,7 @@ std::optional<DriveEnd> readEnd(JsonReader& reader, const char* key, const Drive
     return end;
 }
 
-/// Files know factors of colours only.
+/// Writes factors as such for colours only; scalars are multiplied out.
 json writeEnd(const DriveEnd& end, const DriveParameter& parameter, const Material& material) {
     if (parameter.color) return end.factor ? json(toJson(end.value.x())) : toJson(end.value);
     const float own = ownValue(material, parameter, Vector3f::Ones()).x();
@@ -77,7 +77,7 @@ Drive readDrive(const json& value, const std::string& place, ErrorKind kind, Mas
 }  // namespace
 
 void readDrives(const json& list, const std::string& place, ErrorKind kind, MaskLoader& masks, Material& material) {
-    if (!list.is_array()) throw Error(kind, "\"" + place + "\" is no list [...].");
+    if (!list.is_array()) throw Error(kind, "\"" + place + "\" is not a list [...].");
     const std::vector<DriveParameter> parameters = driveParameters(material);
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string at = place + "[" + std::to_string(i) + "]";

@@ -14,12 +14,12 @@
 
 namespace core {
 
-/// Strict reading of one JSON object: every key is asked for with its type and range, and `finish` refuses the keys
-/// that nobody asked for. Errors name the key with its place ("segments[2].edit.alpha"), what was expected and what was
+/// Strict reading of one JSON object: every key is read with its type and range, and `finish` refuses the keys that
+/// were never read. Errors name the key with its place ("segments[2].edit.alpha"), what was expected and what was
 /// found. The object has to outlive the reader.
 class JsonReader {
   public:
-    /// `place` is the object's own key, "" for the document. Throws when `value` is no object.
+    /// `place` is the object's own key, "" for the document. Throws when `value` is not an object.
     JsonReader(const nlohmann::json& value, std::string place, ErrorKind kind);
 
     [[nodiscard]] bool has(const char* key) const { return object_->contains(key); }
@@ -27,18 +27,18 @@ class JsonReader {
     [[nodiscard]] const nlohmann::json* find(const char* key);
     [[nodiscard]] std::string place(const std::string& key) const;
 
-    // Each reads an optional key into `target` and leaves it as it is when the key is absent.
+    // Each reads an optional key into `target`, which stays as it is when the key is absent.
     void read(const char* key, bool& target);
     void read(const char* key, std::string& target);
     void read(const char* key, float& target, float min, float max);
     void read(const char* key, double& target, double min, double max);
     void read(const char* key, int& target, int min, int max);
-    void read(const char* key, std::uint32_t& target);
+    void read(const char* key, std::int64_t& target, std::int64_t min, std::int64_t max);
     /// Three numbers, each in [min, max].
     void read(const char* key, Vector3f& target, float min, float max);
     /// Three numbers or one for all three.
     void readColorOrNumber(const char* key, Vector3f& target, float min, float max);
-    /// One of a list of words; returns its index.
+    /// Index of one of a list of words.
     [[nodiscard]] std::optional<std::size_t> readChoice(const char* key, const std::vector<std::string>& words);
     /// One of the words of an enumeration.
     template <class E>
@@ -48,7 +48,7 @@ class JsonReader {
 
     /// Throws when a key is missing.
     void require(const char* key) const;
-    /// Throws when a key was never asked for; `expected` ends the message when not empty.
+    /// Throws when a key was never read; `hint` ends the message.
     void finish(const std::string& hint = {}) const;
 
     [[noreturn]] void fail(const std::string& key, const std::string& expected, const nlohmann::json& found) const;

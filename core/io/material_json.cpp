@@ -7,7 +7,7 @@
 
 #include "core/io/drive_json.h"
 #include "core/io/json_reader.h"
-#include "core/io/project.h"
+#include "core/io/param_json.h"
 #include "core/material/brdf.h"
 #include "core/material/brdf_file.h"
 #include "core/material/material_ranges.h"
@@ -38,16 +38,20 @@ std::string parameterHint(const BrdfInfo& brdf) {
            (names.empty() ? "has no parameters of its own." : "has the parameters " + names + ".");
 }
 
-Translucency readTranslucency(const json& value, const std::string& place, ErrorKind kind) {
-    JsonReader reader(value, place, kind);
-    Translucency result;
-    float eta = 1.3f;
-    const bool ownEta = reader.has("eta");
-    reader.read("eta", eta, 1.0f, 3.0f);
-    reader.readWord("model", result.model);
-    reader.read("scale", result.scale, 1e-4f, 1e4f);
-    reader.read("weight", result.weight, 0.0f, kMaxWeight);
+const TranslucencyPreset& readPreset(JsonReader& reader) {
+    std::string name;
+    reader.read("preset", name);
+    if (const TranslucencyPreset* found = findTranslucencyPreset(name)) return *found;
+    std::string names;
+    for (const TranslucencyPreset& p : translucencyPresets())
+        names += (names.empty() ? "\"" : ", \"") + std::string(p.key) + "\"";
+    reader.fail("\"" + reader.place("preset") + "\" is \"" + name + "\", expected one of " + names + ".");
+}
 
+/// How an object states absorption and scattering.
+enum class Substance { Preset, Coefficients, Diffuse };
+
+Substance findSubstance(JsonReader& reader, const std::string& place) {
     const bool preset = reader.has("preset");
     const bool coefficients = reader.has("sigma_a") || reader.has("sigma_s_prime");
     const bool diffuse = reader.has("diffuse_color") || reader.has("mean_free_path_mm");
@@ -55,42 +59,43 @@ Translucency readTranslucency(const json& value, const std::string& place, Error
         reader.fail("\"" + place +
                     "\" needs exactly one of: \"preset\"; \"sigma_a\" with \"sigma_s_prime\"; \"diffuse_color\" with "
                     "\"mean_free_path_mm\".");
-    std::string name;
-    reader.read("preset", name);
-    Vector3f color(0, 0, 0);
-    Vector3f freePath(1, 1, 1);
-    if (coefficients) {
-        reader.require("sigma_a");
-        reader.require("sigma_s_prime");
-    } else if (diffuse) {
-        reader.require("diffuse_color");
-        reader.require("mean_free_path_mm");
-    }
-    reader.read("sigma_a", result.sigmaA, 0.0f, kMaxCoefficient);
-    reader.read("sigma_s_prime", result.sigmaSPrime, 0.0f, kMaxCoefficient);
-    reader.read("diffuse_color", color, 0.0f, 1.0f);
-    reader.readColorOrNumber("mean_free_path_mm", freePath, kMinFreePath, kMaxFreePath);
-    reader.finish();
+    return preset ? Substance::Preset : coefficients ? Substance::Coefficients : Substance::Diffuse;
+}
 
-    if (preset) {
-        const TranslucencyPreset* found = findTranslucencyPreset(name);
-        if (found == nullptr) {
-            std::string names;
-            for (const TranslucencyPreset& p : translucencyPresets())
-                names += (names.empty() ? "\"" : ", \"") + std::string(p.key) + "\"";
-            reader.fail("\"" + reader.place("preset") + "\" is \"" + name + "\", expected one of " + names + ".");
+Translucency readTranslucency(const json& value, const std::string& place, ErrorKind kind) {
+    JsonReader reader(value, place, kind);
+    Translucency result;
+    for (const TranslucencyParam& param : translucencyParams()) readParam(reader, param, result);
+    switch (findSubstance(reader, place)) {
+        case Substance::Preset: {
+            const TranslucencyPreset& preset = readPreset(reader);
+            const Translucency measured = toTranslucency(preset);
+            result.preset = preset.key;
+            result.sigmaA = measured.sigmaA;
+            result.sigmaSPrime = measured.sigmaSPrime;
+            if (!reader.has("eta")) result.eta = measured.eta;
+            break;
         }
-        const Translucency measured = toTranslucency(*found);
-        result.preset = found->key;
-        result.sigmaA = measured.sigmaA;
-        result.sigmaSPrime = measured.sigmaSPrime;
-        if (!ownEta) eta = measured.eta;
-    } else if (diffuse) {
-        const Translucency inverted = translucencyFromDiffuse(color, freePath, eta, result.model);
-        result.sigmaA = inverted.sigmaA;
-        result.sigmaSPrime = inverted.sigmaSPrime;
+        case Substance::Coefficients:
+            reader.require("sigma_a");
+            reader.require("sigma_s_prime");
+            reader.read("sigma_a", result.sigmaA, 0.0f, kMaxCoefficient);
+            reader.read("sigma_s_prime", result.sigmaSPrime, 0.0f, kMaxCoefficient);
+            break;
+        case Substance::Diffuse: {
+            reader.require("diffuse_color");
+            reader.require("mean_free_path_mm");
+            Vector3f color(0, 0, 0);
+            Vector3f freePath(1, 1, 1);
+            reader.read("diffuse_color", color, 0.0f, 1.0f);
+            reader.readColorOrNumber("mean_free_path_mm", freePath, kMinFreePath, kMaxFreePath);
+            const Translucency inverted = translucencyFromDiffuse(color, freePath, result.eta, result.model);
+            result.sigmaA = inverted.sigmaA;
+            result.sigmaSPrime = inverted.sigmaSPrime;
+            break;
+        }
     }
-    result.eta = eta;
+    reader.finish();
     return result;
 }
 
@@ -114,7 +119,7 @@ ordered_json writeTranslucency(const Translucency& t) {
 
 constexpr std::string_view kFilePrefix = "file:";
 
-/// Names in an edit that may be parameters of its BRDF: those that a number or a drive goes with.
+/// Names in an edit that may be parameters of its BRDF, because they have a number or a drive.
 std::vector<std::string> namedParameters(const json& edit) {
     static const std::set<std::string, std::less<>> kOwn{"eta", "k", "albedo", "specular"};
     std::vector<std::string> names;
@@ -133,7 +138,7 @@ std::vector<std::string> namedParameters(const json& edit) {
     return names;
 }
 
-/// The material that "brdf" names, with its initial values.
+/// The material of the BRDF named in the edit, with its initial values.
 Material readBrdf(JsonReader& reader, const json& edit, const std::string& folder, std::vector<std::string>* notes) {
     const json& name = *reader.find("brdf");
     if (!name.is_string() || !name.get<std::string>().starts_with(kFilePrefix))
@@ -182,12 +187,7 @@ Material readMaterial(const json& value, const std::string& place, ErrorKind kin
     reader.readWord("fresnel", material.fresnel);
     reader.readColorOrNumber("eta", material.eta, kMinIndex, kMaxIndex);
     reader.readColorOrNumber("k", material.k, 0.0f, kMaxIndex);
-    if (const json* blend = reader.find("blend")) {
-        JsonReader weights(*blend, reader.place("blend"), kind);
-        weights.read("new", material.blendNew, 0.0f, kMaxWeight);
-        weights.read("original", material.blendOriginal, 0.0f, kMaxWeight);
-        weights.finish();
-    }
+    readParams(reader, blendParams(), material);
     if (const json* translucency = reader.find("translucency"); translucency != nullptr && !translucency->is_null())
         material.translucency = readTranslucency(*translucency, reader.place("translucency"), kind);
     if (const json* drives = reader.find("drives")) readDrives(*drives, reader.place("drives"), kind, masks, material);
@@ -215,7 +215,7 @@ ordered_json writeMaterial(const Material& material, const std::function<std::st
         result["eta"] = toJson(material.eta);
         result["k"] = toJson(material.k);
     }
-    result["blend"] = {{"new", toJson(material.blendNew)}, {"original", toJson(material.blendOriginal)}};
+    writeParams(result, blendParams(), material);
     if (material.translucency) result["translucency"] = writeTranslucency(*material.translucency);
     if (!material.drives.empty()) result["drives"] = writeDrives(material, filePath);
     return result;

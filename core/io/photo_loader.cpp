@@ -8,19 +8,18 @@
 #include <sstream>
 
 #include "core/analysis/depth/upsample_depth.h"
+#include "core/base/statistics.h"
 #include "core/io/image_io.h"
 #include "core/io/import/import_format.h"
 #include "core/io/orientation.h"
-#include "core/io/project.h"
 
 namespace core {
 
 namespace {
 
 constexpr double kDefaultFovDegrees = 60;
-constexpr double kFilmDiagonal = 43.266615;  // of a 36 mm x 24 mm frame [mm]
-constexpr double kShapeTolerance = 0.02;     // of width / height
-constexpr std::array<const char*, 4> kDepthKinds{"z", "distance", "disparity", "inverse"};
+constexpr double kFilmDiagonal = 43.266615;  ///< diagonal [mm] of a 36 mm x 24 mm frame
+constexpr double kShapeTolerance = 0.02;     ///< relative difference of width / height
 
 void note(std::vector<std::string>* notes, const std::string& sentence) {
     if (notes != nullptr) notes->push_back(sentence);
@@ -28,7 +27,7 @@ void note(std::vector<std::string>* notes, const std::string& sentence) {
 
 std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
-/// Same shape within the tolerance, and not larger: what can be enlarged to the photograph.
+/// True if a map can be enlarged to the photograph: same shape within the tolerance, and not larger.
 bool fits(int width, int height, const Camera& camera) {
     const double ratio = static_cast<double>(width) * camera.height / (static_cast<double>(height) * camera.width);
     return std::abs(ratio - 1) <= kShapeTolerance && width <= camera.width && height <= camera.height;
@@ -48,8 +47,8 @@ Image<T> enlarge(Image<T> image, const Camera& camera) {
     return result;
 }
 
-/// Brings a map to the photograph's raster, still at its own resolution. A map that says nothing about its orientation
-/// but has the shape of the photograph as it is stored is turned with it.
+/// Turns a map to the photograph's orientation, still at its own resolution. A map without an orientation tag is turned
+/// when it has the shape of the photograph as stored.
 template <class T>
 Image<T> matchOrientation(Image<T> map, const std::string& path, const char* what, const Camera& camera,
                           int mapOrientation, int colorOrientation, const std::string& colorPath) {
@@ -81,7 +80,7 @@ std::string intrinsicsText(const Camera& camera) {
     return text.str();
 }
 
-/// `stated`: what the file of the photograph says.
+/// The requested camera, or the `stated` one of the photograph's file, or one from its focal length.
 Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, const std::optional<Camera>& stated,
                     std::vector<std::string>* notes) {
     const int w = info.width;
@@ -140,8 +139,7 @@ double chooseUnit(const PhotoRequest& request, const std::string& depthPath, con
     if (format.floating) return 1;
     if (format.bits == 16 && length) return 0.001;
     throw Error(ErrorKind::Usage, "The depth image \"" + depthPath + "\" stores " + std::to_string(format.bits) +
-                                      "-bit integers, whose unit cannot be guessed: give the metres per stored unit "
-                                      "(--depth-unit).");
+                                      "-bit integers, whose unit cannot be guessed: give the metres per stored unit.");
 }
 
 /// Stored values in the photograph's layout to planar z, still at their own resolution.
@@ -152,7 +150,7 @@ ImageF planarDepthInside(const Camera& camera, const ImageF& stored, DepthKind k
     return planarDepth(stored, kind, unit, own);
 }
 
-/// To the photograph's raster, with its outlines.
+/// Enlarges the depth to the photograph, along its outlines.
 void enlargeDepth(Photo& photo, const std::string& path, std::vector<std::string>* notes) {
     const int width = photo.depth.width();
     const int height = photo.depth.height();
@@ -165,21 +163,20 @@ void enlargeDepth(Photo& photo, const std::string& path, std::vector<std::string
                                 static_cast<float>(camera.height) / static_cast<float>(height)});
 }
 
-/// A wrong unit shows in the median: no photograph is of things nearer or farther than this.
+/// A wrong unit shows in the median depth, which lies outside the range of any photograph.
 void noteImplausibleDepth(const ImageF& depth, const std::string& path, double unit, std::vector<std::string>* notes) {
-    constexpr float kNearest = 0.05f;
-    constexpr float kFarthest = 1000;
+    constexpr float kMinMedian = 0.05f;
+    constexpr float kMaxMedian = 1000;
     std::vector<float> valid;
     for (const float z : depth.pixels())
         if (z > 0) valid.push_back(z);
-    const auto middle = valid.begin() + static_cast<std::ptrdiff_t>(valid.size() / 2);
-    std::ranges::nth_element(valid, middle);
-    if (*middle >= kNearest && *middle <= kFarthest) return;
+    const float middle = median(valid);
+    if (middle >= kMinMedian && middle <= kMaxMedian) return;
     std::ostringstream text;
-    text << "The median depth in \"" << path << "\" is " << *middle << " m with a unit of " << unit << " m, expected "
-         << kNearest << " to " << kFarthest
-         << " m: the unit is probably wrong. Give the metres per stored unit, 0.001 for millimetres and 1 for metres "
-            "(--depth-unit), or the right kind of depth (--depth-kind).";
+    text << "The median depth in \"" << path << "\" is " << middle << " m with a unit of " << unit << " m, expected "
+         << kMinMedian << " to " << kMaxMedian
+         << " m: the unit is probably wrong. Give the metres per stored unit (0.001 for millimetres, 1 for metres), "
+            "or the right kind of depth.";
     note(notes, text.str());
 }
 
@@ -198,7 +195,7 @@ ImageInfo importedInfo(const ImportedPhoto& photo) {
     return info;
 }
 
-/// The photograph when it is in a file with depth, or in one that only an import format reads.
+/// Photograph of a file that carries depth or that only an import format reads.
 std::optional<ImportedPhoto> importPhoto(const PhotoSource& source) {
     if (!source.depth.empty() && isImageFile(source.color)) return std::nullopt;
     const ImportFile file(source.color);
@@ -214,8 +211,8 @@ std::optional<ImportedPhoto> importPhoto(const PhotoSource& source) {
                 "\"" + path + "\" contains no depth map (" + known + "), and no depth image is given.");
 }
 
-/// Takes the depth from pixels that surfaces cover only in part (antialiased, moving or out of focus ones): it is a
-/// mixture or of one sample. Where most of the picture is not opaque, alpha is no coverage, and all depth stays.
+/// Removes the depth of pixels that surfaces cover only in part (antialiased, moving or out of focus), because it is a
+/// mixture or that of one sample. Where most of the picture is not opaque, alpha is not coverage, and all depth stays.
 ImageF withoutMixedDepth(ImageF depth, const ImageF& coverage) {
     constexpr float kOpaque = 0.99f;
     if (!coverage.sameSize(depth)) return depth;
@@ -231,14 +228,14 @@ ImageF withoutMixedDepth(ImageF depth, const ImageF& coverage) {
     return depth;
 }
 
-/// Depth from inside the photograph's file; completes `source` by what the file says.
+/// Depth from inside the photograph's file; fills in the kind and unit that the file states.
 ImageF importedDepth(const ImportedPhoto& imported, const PhotoRequest& request, PhotoSource& source,
                      const Camera& camera, std::vector<std::string>* notes) {
     if (imported.kind) {
         if (source.depthKind != DepthKind::Z && source.depthKind != *imported.kind)
-            throw Error(ErrorKind::Usage, "The depth kind is \"" + std::string(depthKindKey(source.depthKind)) +
+            throw Error(ErrorKind::Usage, "The depth kind is \"" + std::string(wordOf(source.depthKind)) +
                                               "\", but the file says that the depth inside \"" + source.color +
-                                              "\" is \"" + depthKindKey(*imported.kind) + "\".");
+                                              "\" is \"" + wordOf(*imported.kind) + "\".");
         source.depthKind = *imported.kind;
     }
     const auto given = requestedUnit(request);
@@ -258,14 +255,6 @@ void requireValidDepth(const ImageF& depth, const std::string& path) {
 }
 
 }  // namespace
-
-const char* depthKindKey(DepthKind kind) { return kDepthKinds[static_cast<std::size_t>(kind)]; }
-
-std::optional<DepthKind> findDepthKind(std::string_view key) {
-    for (std::size_t i = 0; i < kDepthKinds.size(); ++i)
-        if (key == kDepthKinds[i]) return static_cast<DepthKind>(i);
-    return std::nullopt;
-}
 
 ImageF planarDepth(const ImageF& stored, DepthKind kind, double unit, const Camera& camera) {
     ImageF result(stored.width(), stored.height(), 0.0f);
@@ -288,7 +277,7 @@ std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, std::vector<
     PhotoSource& source = photo->source;
     std::optional<ImportedPhoto> imported = importPhoto(source);
     if (source.depth.empty() && (!imported || imported->depth.empty())) {
-        if (!imported) (void)readImageInfo(source.color);  // says what is wrong with a file that is no picture
+        if (!imported) (void)readImageInfo(source.color);  // reports what is wrong with a file that is not a picture
         refuseWithoutDepth(source.color);
     }
     const ImageInfo info = imported ? importedInfo(*imported) : readImageInfo(source.color);

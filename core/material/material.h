@@ -9,6 +9,7 @@
 
 #include "core/base/image.h"
 #include "core/base/words.h"
+#include "shaders/shared/param_info.h"
 
 namespace core {
 
@@ -30,8 +31,9 @@ enum class ScatteringModel : std::uint8_t { Dipole, BetterDipole };
 
 template <>
 struct Words<ScatteringModel> {
-    static constexpr Word<ScatteringModel> table[] = {{ScatteringModel::Dipole, "dipole"},
-                                                      {ScatteringModel::BetterDipole, "better_dipole"}};
+    static constexpr Word<ScatteringModel> table[] = {
+        {ScatteringModel::Dipole, "dipole", PARAM_LABEL("scene", "Dipole")},
+        {ScatteringModel::BetterDipole, "better_dipole", PARAM_LABEL("scene", "Better dipole")}};
 };
 
 /// Multiple scattering below the surface, dipole diffusion (docs/method.md#translucency, [JMLH01]). Coefficients in

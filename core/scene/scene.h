@@ -130,7 +130,7 @@ struct Words<EnvironmentFill> {
 
 /// Legal range of EnvironmentParams::height.
 inline constexpr int kMinMapRows = 4;
-inline constexpr int kMaxMapRows = 2048;
+inline constexpr int kMaxMapRows = 4096;
 
 /// The light: recovered from the photograph, or a map given by the user.
 struct EnvironmentParams {

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/io/image_io.h"
+#include "core/io/material_json.h"
 #include "core/io/project.h"
 #include "render/renderer.h"
 #include "tests/evaluate/device.h"

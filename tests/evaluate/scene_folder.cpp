@@ -5,6 +5,7 @@
 
 #include "core/io/image_io.h"
 #include "core/io/image_reader.h"
+#include "core/io/material_json.h"
 #include "core/io/project.h"
 
 namespace evaluate {

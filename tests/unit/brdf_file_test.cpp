@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "core/io/material_json.h"
 #include "core/io/project.h"
 #include "core/shading/segment_shading.h"
 #include "tests/support/expect_error.h"

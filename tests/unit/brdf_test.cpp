@@ -12,7 +12,7 @@
 #include <sstream>
 #include <string>
 
-#include "core/io/project.h"
+#include "core/io/material_json.h"
 #include "core/material/metals.h"
 #include "shaders/brdf/brdf.h"
 

@@ -11,6 +11,7 @@
 #include "core/analysis/step.h"
 #include "core/base/color.h"
 #include "core/io/mask_io.h"
+#include "core/io/material_json.h"
 #include "core/io/project.h"
 #include "core/scene/changes.h"
 #include "core/scene/masks.h"

@@ -301,11 +301,8 @@ Step backSideStep() {
     step.reads = {Item::Photo, Item::Depth, Item::Front, Item::UserBackDepth};
     step.writes = Item::Back;
     step.params = [](const Scene& scene, Hash& hash) {
-        for (const Segment& segment : scene.segments) {
-            const BackSideParams& p = segment.backSide;
-            hash.add(segment.label).add(p.method).add(p.minThickness);
-            hash.add(p.offset).add(p.planeShift).add(p.thicknessScale);
-        }
+        addParams(hash, Stage::BackSide, scene);
+        for (const Segment& segment : scene.segments) addParams(hash.add(segment.label), Stage::BackSide, segment);
     };
     step.run = [](Board& board, const StepContext& context) {
         const Scene& scene = *board.scene;

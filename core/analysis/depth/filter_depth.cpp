@@ -382,9 +382,8 @@ Step filterDepthStep() {
     step.reads = {Item::Photo};
     step.writes = Item::Depth;
     step.params = [](const Scene& scene, Hash& hash) {
-        const DepthFilterParams& p = scene.depthFilter;
-        hash.add(p.enabled).add(p.automatic).add(p.spatialSigma).add(p.colorSigma).add(p.depthSigma).add(p.holeRadius);
-        for (const Segment& segment : scene.segments) hash.add(segment.label).add(segment.smoothing.value_or(-1.0f));
+        addParams(hash, Stage::Geometry, scene);
+        for (const Segment& segment : scene.segments) addParams(hash.add(segment.label), Stage::Geometry, segment);
     };
     step.run = [](Board& board, const StepContext& context) {
         const Photo& photo = *board.scene->photo;

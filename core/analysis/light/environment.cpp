@@ -213,11 +213,15 @@ Step environmentStep() {
     step.reads = {Item::Photo, Item::Depth, Item::Front, Item::Reflectances, Item::UserEnvironment};
     step.writes = Item::Environment;
     step.params = [](const Scene& scene, Hash& hash) {
-        const EnvironmentParams& p = scene.environment;
-        if (p.image) hash.add(p.rotation).add(p.scale);
-        hash.add(p.use).add(p.fill).add(p.height);
+        // Without a loaded map there is nothing to turn or scale. What reflectance depends on is in Item::Reflectances.
+        Scene used = scene;
+        if (!used.environment.image) {
+            used.environment.rotation = 0;
+            used.environment.scale = 1;
+        }
+        addParams(hash, Stage::Environment, used);
         for (const Segment& segment : scene.segments)
-            if (segment.glossy) hash.add(segment.label).add(segment.reflectance.has_value());
+            if (segment.glossy) addParams(hash.add(segment.label), Stage::Environment, segment);
     };
     step.run = [](Board& board, const StepContext& context) {
         const Scene& scene = *board.scene;

@@ -8,11 +8,10 @@ namespace core::analysis {
 namespace {
 
 /// What the reflections of all segments depend on. Which surfaces are glossy decides which colours count as known, for
-/// every one of them.
+/// every one of them. A segment's own ρ and lobe width replace the estimate afterwards and stay out of the key.
 std::uint64_t reflectionsKey(const Board& board, std::span<const Segment* const> glossy) {
-    const EnvironmentParams& environment = board.scene->environment;
     Hash hash;
-    hash.add(board.layersKey).add(environment.height).add(environment.fill);
+    addParams(hash.add(board.layersKey), Stage::Reflectance, *board.scene);
     for (const Segment* segment : glossy) hash.add(segment->label);
     return hash.value();
 }
@@ -53,13 +52,9 @@ Step reflectanceStep() {
     step.reads = {Item::Photo, Item::Depth, Item::Front, Item::Back, Item::Layers};
     step.writes = Item::Reflectances;
     step.params = [](const Scene& scene, Hash& hash) {
-        hash.add(scene.environment.height).add(scene.environment.fill);
-        for (const Segment& segment : scene.segments) {
-            if (!segment.glossy) continue;
-            hash.add(segment.label).add(segment.reflectance.has_value());
-            if (segment.reflectance) hash.add(*segment.reflectance);
-            hash.add(segment.lobeWidth.value_or(0.0f));
-        }
+        addParams(hash, Stage::Reflectance, scene);
+        for (const Segment& segment : scene.segments)
+            if (segment.glossy) addParams(hash.add(segment.label), Stage::Reflectance, segment);
     };
     step.run = [](Board& board, const StepContext& context) {
         std::vector<const Segment*> glossy;
