@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/analysis/segment/segment_pixels.h"
+#include "core/base/pixel.h"
 #include "core/material/brdf.h"
 #include "core/shading/segment_shading.h"
 
@@ -16,8 +16,6 @@ namespace {
 
 /// How far clipped detail may be made up for: beyond that, more of the texture would be lost than the mean is worth.
 constexpr float kMaxCorrection = 1.25f;
-
-using analysis::PixelBox;
 
 PixelBox boxOf(const LabelImage& labels, std::uint16_t label) {
     PixelBox box;

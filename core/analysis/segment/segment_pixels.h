@@ -1,36 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "core/analysis/analysis.h"
 #include "core/base/camera.h"
+#include "core/base/pixel.h"
 
 namespace core::analysis {
-
-struct Pixel {
-    int x, y;
-};
-
-/// The four neighbours of a pixel: left, right, above, below.
-inline constexpr std::array<Pixel, 4> kNeighbors{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
-
-/// Smallest rectangle around pixels.
-struct PixelBox {
-    int x0 = std::numeric_limits<int>::max(), y0 = std::numeric_limits<int>::max(), x1 = -1, y1 = -1;
-    void add(Pixel p) {
-        x0 = std::min(x0, p.x);
-        y0 = std::min(y0, p.y);
-        x1 = std::max(x1, p.x);
-        y1 = std::max(y1, p.y);
-    }
-    [[nodiscard]] int width() const { return x1 - x0 + 1; }
-    [[nodiscard]] int height() const { return y1 - y0 + 1; }
-};
 
 /// One segment among the others, as every way to invent its back sees it.
 struct SegmentPixels {
