@@ -20,10 +20,10 @@
 namespace {
 
 using core::Vector3f;
-using testing_support::AnalyticScene;
-using testing_support::device;
-using testing_support::material;
-using testing_support::stillLife;
+using test::AnalyticScene;
+using test::device;
+using test::material;
+using test::stillLife;
 
 core::Material ggx(float alpha) {
     core::Material m = material("ggx");
@@ -41,7 +41,7 @@ core::Material marble() {
 }
 
 core::Scene edited(const AnalyticScene& source, std::uint16_t label, const core::Material& m, int samples) {
-    core::Scene scene = source.scene();
+    core::Scene scene = source.scene;
     scene.findSegment(label)->edit = m;
     scene.render.samples = samples;
     scene.render.filter = false;
@@ -99,8 +99,8 @@ TEST(Reshade, FollowsTheReferenceRendererPathByPath) {
         core::Material m = material(brdf);
         m.specular = Vector3f(0.9f, 0.8f, 0.6f);
         const core::Scene scene = edited(source, 2, m, 4);
-        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
-        const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
+        const core::ImageRgb expected = core::renderReference(scene, source.analysis);
         const Comparison c = compare(actual, expected, source.photo->labels, 2);
         ASSERT_GT(c.pixels, 500u);
         // Paths part where a rounding decides between two pixels; the rest draws the same numbers.
@@ -117,8 +117,8 @@ TEST(Reshade, FollowsTheReferenceRendererWithMeasuredBrdfs) {
     const AnalyticScene source = stillLife();
     core::Scene scene = edited(source, 2, core::fileMaterial(core::loadBrdfFile(folder / "glossy.binary")), 4);
     scene.findSegment(3)->edit = core::fileMaterial(core::loadBrdfFile(folder / "matt.binary"));
-    const core::ImageRgb expected = core::renderReference(scene, source.analysis());
-    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
+    const core::ImageRgb expected = core::renderReference(scene, source.analysis);
+    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
     for (const auto label : {std::uint16_t{2}, std::uint16_t{3}}) {
         const Comparison c = compare(actual, expected, source.photo->labels, label);
         ASSERT_GT(c.pixels, 500u);
@@ -137,8 +137,8 @@ TEST(Reshade, FollowsTheReferenceRendererInSunlight) {
     scene.findSegment(1)->edit = marble();
     scene.render.surfaceSamples = 300;
     scene.render.irradianceSamples = 8;
-    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
-    const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
+    const core::ImageRgb expected = core::renderReference(scene, source.analysis);
     for (const auto label : {std::uint16_t{1}, std::uint16_t{2}, std::uint16_t{3}}) {
         const Comparison c = compare(actual, expected, source.photo->labels, label);
         // Every pixel of a translucent body sums all its samples, also the few whose rays part at an edge of the
@@ -159,8 +159,8 @@ TEST(Reshade, SeveralEditedSegmentsSeeEachOther) {
     scene.findSegment(1)->glossy = true;
     scene.render.surfaceSamples = 300;
     scene.render.irradianceSamples = 8;
-    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
-    const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
+    const core::ImageRgb expected = core::renderReference(scene, source.analysis);
     for (const auto label : {std::uint16_t{2}, std::uint16_t{3}}) {
         const Comparison c = compare(actual, expected, source.photo->labels, label);
         // The sum over the translucent body's samples has an error of its own (Translucency.MatchesBruteForceInDouble).
@@ -174,19 +174,18 @@ TEST(Reshade, SeveralEditedSegmentsSeeEachOther) {
 TEST(Reshade, WhiteFurnaceIsWhite) {
     const auto white = [](const Vector3f&) { return Vector3f(1, 1, 1); };
     const AnalyticScene source =
-        testing_support::makeAnalyticScene(100, 80, {{Vector3f(0, 0, 1), 0.3f, 2, Vector3f(1, 1, 1)}}, 0, white);
+        test::spheresOnFloor(100, 80, {{Vector3f(0, 0, 1), 0.3f, 2, Vector3f(1, 1, 1)}}, 0, white);
     core::Material m = material("lambert");
     m.albedo = Vector3f(1, 1, 1);
     const core::Scene scene = edited(source, 2, m, 16);
-    const core::ImageRgb image = render::renderImage(device(), scene, source.analysis());
+    const core::ImageRgb image = render::renderImage(device(), scene, source.analysis);
     for (std::size_t i = 0; i < image.size(); ++i) ASSERT_NEAR((image[i] - Vector3f(1, 1, 1)).norm(), 0, 1e-4) << i;
 
     // A convex body does not see itself: with a black photograph a false hit would be a dark speck.
-    AnalyticScene black =
-        testing_support::makeAnalyticScene(100, 80, {{Vector3f(0, 0, 1), 0.3f, 2, Vector3f::Zero()}}, 0, white);
+    AnalyticScene black = test::spheresOnFloor(100, 80, {{Vector3f(0, 0, 1), 0.3f, 2, Vector3f::Zero()}}, 0, white);
     core::Scene once = edited(black, 2, m, 16);
     once.render.bounces = 1;
-    const core::ImageRgb seen = render::renderImage(device(), once, black.analysis());
+    const core::ImageRgb seen = render::renderImage(device(), once, black.analysis);
     double sum = 0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -202,7 +201,7 @@ TEST(Reshade, UneditedPixelsAreThePhotograph) {
     const AnalyticScene source = stillLife();
     core::Scene scene = edited(source, 2, ggx(0.2f), 2);
     scene.render.filter = true;
-    const core::ImageRgb image = render::renderImage(device(), scene, source.analysis());
+    const core::ImageRgb image = render::renderImage(device(), scene, source.analysis);
     const core::LabelImage& labels = source.photo->labels;
     const auto atOutline = [&](int x, int y) {
         for (int v = y - 2; v <= y + 2; ++v)
@@ -238,8 +237,8 @@ TEST(Silhouette, IsTheTwinOfTheCpuVersion) {
         }
     core::Scene scene = edited(source, 2, ggx(0.3f), 2);
     scene.findSegment(2)->edit->blendOriginal = 0.25f;
-    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
-    const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
+    const core::ImageRgb expected = core::renderReference(scene, source.analysis);
     std::size_t changedOutside = 0;
     std::size_t different = 0;
     for (std::size_t i = 0; i < actual.size(); ++i) {
@@ -272,7 +271,7 @@ TEST(Renderer, ATimeLimitEndsRefinementButNotTheFirstPicture) {
     scene.render.filter = true;
     scene.render.timeLimit = 1;
     render::Renderer renderer(device());
-    renderer.setScene(scene, source.analysis());
+    renderer.setScene(scene, source.analysis);
     ASSERT_TRUE(endsWithin(renderer, 60));
     const render::Renderer::Progress limited = renderer.progress();
     EXPECT_TRUE(limited.finished);
@@ -283,14 +282,14 @@ TEST(Renderer, ATimeLimitEndsRefinementButNotTheFirstPicture) {
     // Another edit has its own time; one too short for a sample has a picture all the same.
     scene.findSegment(2)->edit->values[0] = 0.5f;
     scene.render.timeLimit = 1e-9;
-    renderer.setScene(scene, source.analysis());
+    renderer.setScene(scene, source.analysis);
     EXPECT_FALSE(renderer.progress().finished);
     ASSERT_TRUE(endsWithin(renderer, 60));
     EXPECT_EQ(renderer.progress().samples, 1);
 
     scene.render.samples = 3;
     scene.render.timeLimit = 3600;
-    renderer.setScene(scene, source.analysis());
+    renderer.setScene(scene, source.analysis);
     ASSERT_TRUE(endsWithin(renderer, 60));
     EXPECT_EQ(renderer.progress().samples, 3);
     EXPECT_FALSE(renderer.progress().timeUp) << "the samples ended it";
@@ -300,7 +299,7 @@ TEST(Renderer, PausedItShowsTheFirstPictureAndGoesOnWhereItWas) {
     const AnalyticScene source = stillLife();
     core::Scene scene = edited(source, 2, ggx(0.3f), 40);
     render::Renderer renderer(device());
-    renderer.setScene(scene, source.analysis());
+    renderer.setScene(scene, source.analysis);
     renderer.setRefining(false);
     ASSERT_TRUE(endsWithin(renderer, 60));
     const int first = renderer.progress().samples;
@@ -315,7 +314,7 @@ TEST(Renderer, PausedItShowsTheFirstPictureAndGoesOnWhereItWas) {
     EXPECT_TRUE(renderer.progress().finished);
     EXPECT_FALSE(renderer.progress().timeUp);
     const core::ImageRgb paused = render::readResult(device(), renderer);
-    const core::ImageRgb atOnce = render::renderImage(device(), scene, source.analysis());
+    const core::ImageRgb atOnce = render::renderImage(device(), scene, source.analysis);
     EXPECT_EQ(std::memcmp(paused.pixels().data(), atOnce.pixels().data(), paused.size() * sizeof(core::Vector3f)), 0);
 }
 
@@ -324,14 +323,14 @@ TEST(Filter, IsTheTwinOfTheCpuFilter) {
     for (const int samples : {2, 8}) {
         core::Scene scene = edited(source, 2, ggx(0.3f), samples);
         scene.render.filter = true;
-        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
-        const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
+        const core::ImageRgb expected = core::renderReference(scene, source.analysis);
         const Comparison c = compare(actual, expected, source.photo->labels, 2);
         EXPECT_GE(c.nearlyEqual, 0.9) << samples;
         EXPECT_LE(c.meanDifference, 0.003) << samples;
 
         scene.render.filter = false;
-        const core::ImageRgb raw = render::renderImage(device(), scene, source.analysis());
+        const core::ImageRgb raw = render::renderImage(device(), scene, source.analysis);
         EXPECT_LT(compare(raw, expected, source.photo->labels, 2).nearlyEqual, 0.5) << "the filter does something";
     }
 }
@@ -345,8 +344,8 @@ TEST(Translucency, MatchesBruteForceInDouble) {
         core::Scene scene = edited(source, 2, m, 1);
         scene.render.surfaceSamples = 700;
         scene.render.irradianceSamples = 16;
-        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
-        const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
+        const core::ImageRgb expected = core::renderReference(scene, source.analysis);
         EXPECT_LE(compare(actual, expected, source.photo->labels, 2).meanDifference, 0.002) << eta;
         // The grids' own error, within what it promises.
         double squares = 0;
@@ -367,15 +366,15 @@ TEST(Translucency, MatchesBruteForceInDouble) {
 TEST(Translucency, NeverBrighterThanAWhiteSurface) {
     // Spheres that are one body with gaps and necks, in white light among white things.
     const Vector3f one(1, 1, 1);
-    const AnalyticScene source = testing_support::makeAnalyticScene(80, 60,
-                                                                    {{Vector3f(-0.12f, 0, 0.9f), 0.1f, 2, one},
-                                                                     {Vector3f(0.1f, 0, 0.9f), 0.1f, 2, one},
-                                                                     {Vector3f(-0.01f, 0.13f, 0.95f), 0.1f, 2, one},
-                                                                     {Vector3f(-0.01f, -0.1f, 0.85f), 0.03f, 2, one}},
-                                                                    0, [&](const Vector3f&) { return one; });
+    const AnalyticScene source = test::spheresOnFloor(80, 60,
+                                                      {{Vector3f(-0.12f, 0, 0.9f), 0.1f, 2, one},
+                                                       {Vector3f(0.1f, 0, 0.9f), 0.1f, 2, one},
+                                                       {Vector3f(-0.01f, 0.13f, 0.95f), 0.1f, 2, one},
+                                                       {Vector3f(-0.01f, -0.1f, 0.85f), 0.03f, 2, one}},
+                                                      0, [&](const Vector3f&) { return one; });
     core::Material lambert = material("lambert");
     lambert.albedo = one;
-    const core::ImageRgb white = render::renderImage(device(), edited(source, 2, lambert, 4), source.analysis());
+    const core::ImageRgb white = render::renderImage(device(), edited(source, 2, lambert, 4), source.analysis);
     for (const bool matched : {true, false}) {
         core::Material m = marble();
         m.translucency->sigmaA = Vector3f(0, 0, 0.002f);
@@ -385,7 +384,7 @@ TEST(Translucency, NeverBrighterThanAWhiteSurface) {
         core::Scene scene = edited(source, 2, m, 1);
         scene.render.surfaceSamples = 1500;
         scene.render.irradianceSamples = 8;
-        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
+        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
         float largest = 0;
         for (std::size_t i = 0; i < actual.size(); ++i)
             if (source.photo->labels[i] == 2) largest = std::max(largest, actual[i].cwiseQuotient(white[i]).maxCoeff());
@@ -408,7 +407,7 @@ TEST(Renderer, SameBytesOnAnySchedule) {
     std::vector<int> submissions;
     for (const double budget : {0.0, 0.004, 0.5}) {
         render::Renderer renderer(device());
-        renderer.setScene(scene, source.analysis());
+        renderer.setScene(scene, source.analysis);
         submissions.push_back(finish(renderer, budget));
         const render::Renderer::Progress progress = renderer.progress();
         EXPECT_TRUE(progress.finished);
@@ -431,7 +430,7 @@ TEST(Renderer, RestartsOnlyWhatAnEditInvalidates) {
     scene.render.bounces = 1;
     scene.render.surfaceSamples = 300;
     scene.render.irradianceSamples = 4;
-    const auto analysis = source.analysis();
+    const auto analysis = source.analysis;
     render::Renderer renderer(device());
     renderer.setScene(scene, analysis);
     finish(renderer, 0.1);
@@ -507,7 +506,7 @@ TEST(Renderer, ShowsAPictureWithTheFirstSlice) {
     EXPECT_FALSE(renderer.record(idle, 0.03)) << "without a scene there is nothing to do";
     device().queue().submit(idle.finish());
 
-    renderer.setScene(edited(source, 2, ggx(0.2f), 64), source.analysis());
+    renderer.setScene(edited(source, 2, ggx(0.2f), 64), source.analysis);
     EXPECT_FALSE(renderer.result());
     do {
         gpu::CommandEncoder encoder = device().createCommandEncoder({.label = "first"});
@@ -529,12 +528,12 @@ TEST(Renderer, ShowsAPictureWithTheFirstSlice) {
 
 TEST(Renderer, EveryPixelFollowsAChangeThatRestartsEverySlice) {
     const AnalyticScene source = stillLife();
-    core::Material paint = testing_support::material("lambert");
+    core::Material paint = test::material("lambert");
     paint.albedo = Vector3f(0.9f, 0.05f, 0.05f);
     core::Scene scene = edited(source, 2, paint, 1);
     scene.render.bounces = 1;
     scene.render.filter = false;
-    const auto analysis = source.analysis();
+    const auto analysis = source.analysis;
     render::Renderer renderer(device());
     renderer.setScene(scene, analysis);
     finish(renderer, 0.1);
@@ -566,27 +565,27 @@ TEST(Renderer, EveryPixelFollowsAChangeThatRestartsEverySlice) {
 
 TEST(Renderer, FollowsANewPhotographOfAnotherSize) {
     const AnalyticScene first = stillLife();
-    const AnalyticScene second = testing_support::makeAnalyticScene(70, 110, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0,
-                                                                    [](const Vector3f&) { return Vector3f(1, 1, 1); });
+    const AnalyticScene second = test::spheresOnFloor(70, 110, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0,
+                                                      [](const Vector3f&) { return Vector3f(1, 1, 1); });
     render::Renderer renderer(device());
-    renderer.setScene(edited(first, 2, ggx(0.2f), 2), first.analysis());
+    renderer.setScene(edited(first, 2, ggx(0.2f), 2), first.analysis);
     finish(renderer, 0.1);
     core::Scene scene = edited(second, 2, marble(), 2);
     scene.render.surfaceSamples = 300;
     scene.render.irradianceSamples = 4;
-    renderer.setScene(scene, second.analysis());
+    renderer.setScene(scene, second.analysis);
     finish(renderer, 0.1);
     EXPECT_EQ(renderer.result().width(), 70u);
     EXPECT_EQ(renderer.result().height(), 110u);
     render::Renderer fresh(device());
-    fresh.setScene(scene, second.analysis());
+    fresh.setScene(scene, second.analysis);
     finish(fresh, 0.1);
     EXPECT_EQ(pixels(renderer), pixels(fresh));
 }
 
 TEST(Renderer, NothingEditedIsThePhotograph) {
     const AnalyticScene source = stillLife();
-    const core::ImageRgb image = render::renderImage(device(), source.scene(), source.analysis());
+    const core::ImageRgb image = render::renderImage(device(), source.scene, source.analysis);
     EXPECT_EQ(image, source.photo->color);
 }
 
@@ -606,12 +605,12 @@ TEST(Renderer, SaysWhenThePictureIsTooLarge) {
 TEST(Renderer, AdvancesWhereTheCompositeIsDearerThanTheBudget) {
     constexpr int kSlices = 10;
     constexpr double kBudget = 0.01;
-    const AnalyticScene source = testing_support::makeAnalyticScene(640, 640, {{Vector3f(0, 0, 1), 0.4f, 2}}, 0,
-                                                                    [](const Vector3f&) { return Vector3f(1, 1, 1); });
+    const AnalyticScene source = test::spheresOnFloor(640, 640, {{Vector3f(0, 0, 1), 0.4f, 2}}, 0,
+                                                      [](const Vector3f&) { return Vector3f(1, 1, 1); });
     const auto count = std::count(source.photo->labels.pixels().begin(), source.photo->labels.pixels().end(), 2);
     core::Scene scene = edited(source, 2, ggx(0.2f), 2);
     scene.render.bounces = 1;  // with more, weights are part of what paths meet
-    const auto analysis = source.analysis();
+    const auto analysis = source.analysis;
     render::Renderer renderer(device());
     renderer.setScene(scene, analysis);
     finish(renderer, 0.1);
@@ -632,8 +631,7 @@ TEST(Renderer, CanBeCancelled) {
     const AnalyticScene source = stillLife();
     const core::Scene scene = edited(source, 2, ggx(0.2f), 100000);
     const std::atomic<bool> cancel = true;
-    EXPECT_THROW((void)render::renderImage(device(), scene, source.analysis(), core::Progress({}, &cancel)),
-                 core::Error);
+    EXPECT_THROW((void)render::renderImage(device(), scene, source.analysis, core::Progress({}, &cancel)), core::Error);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "gpu/instance.h"
 #include "gpu/readback.h"
 
-namespace gpu_test {
+namespace test {
 
 /// One instance and device per process; validation as the environment says (CTest: fatal).
 struct Context {
@@ -83,4 +83,4 @@ inline void expectRejected(const std::function<void()>& call, const std::vector<
         EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
 }
 
-}  // namespace gpu_test
+}  // namespace test
