@@ -20,7 +20,7 @@ using core::AnalysisKernels;
 using core::ImageF;
 using core::Vector3f;
 using render::GpuAnalysisKernels;
-using testing_support::AnalyticScene;
+using test::AnalyticScene;
 
 /// A device that a test may destroy.
 gpu::Device ownDevice() { return gpu::Instance::create().requestAdapter().requestDevice({.label = "analysis test"}); }
@@ -77,7 +77,7 @@ core::analysis::FilterPass makeFilterPass(int step) {
 }
 
 TEST(AnalysisKernels, FilterDepthLikeTheCpu) {
-    GpuAnalysisKernels kernels(testing_support::device());
+    GpuAnalysisKernels kernels(test::device());
     for (const auto& [width, height] : kSizes) {
         const Picture picture = makePicture(width, height, 0.01f, 5);
         const auto color = core::analysis::encodeColor(picture.color, core::Progress());
@@ -102,14 +102,14 @@ TEST(AnalysisKernels, FilterDepthLikeTheCpu) {
 }
 
 TEST(AnalysisKernels, FitSurfacesLikeTheCpu) {
-    GpuAnalysisKernels kernels(testing_support::device());
+    GpuAnalysisKernels kernels(test::device());
     std::size_t pixels = 0;
     std::size_t different = 0;
     for (const float noise : {0.0f, 0.003f}) {
         std::vector<Picture> pictures;
         for (const auto& [width, height] : kSizes) pictures.push_back(makePicture(width, height, noise, 7));
         // Contours of spheres, where exact depth ends like a square root.
-        const AnalyticScene spheres = testing_support::makeRandomScene(400, 300, 3);
+        const AnalyticScene spheres = test::randomSpheres(400, 300, 3);
         pictures.push_back({spheres.photo->camera, spheres.photo->depth, spheres.photo->labels, spheres.photo->color});
         for (const Picture& picture : pictures) {
             const int width = picture.camera.width;
@@ -151,9 +151,9 @@ TEST(AnalysisKernels, FitSurfacesLikeTheCpu) {
 }
 
 TEST(AnalysisKernels, MarchLikeTheCpu) {
-    GpuAnalysisKernels kernels(testing_support::device());
+    GpuAnalysisKernels kernels(test::device());
     for (const auto& [width, height] : {std::pair{211, 157}, std::pair{257, 3}, std::pair{1, 1}}) {
-        const AnalyticScene scene = testing_support::makeRandomScene(width, height, 3);
+        const AnalyticScene scene = test::randomSpheres(width, height, 3);
         const core::DepthLayers layers = scene.layers();
         std::mt19937 random(9);
         std::uniform_real_distribution<float> uniform(0, 1);
@@ -163,7 +163,7 @@ TEST(AnalysisKernels, MarchLikeTheCpu) {
             rays.push_back({scene.photo->camera.ray(uniform(random) * static_cast<float>(width),
                                                     uniform(random) * static_cast<float>(height)) *
                                 z,
-                            testing_support::randomDirection(random)});
+                            test::randomDirection(random)});
         }
         for (std::size_t i = 0; i < rays.size(); i += 100) rays[i].direction.setZero();
         const auto marcher = kernels.rayMarcher(layers);
@@ -217,7 +217,7 @@ core::DirectionalMap partlyKnown(int height) {
 }
 
 TEST(AnalysisKernels, FillDirectionsLikeTheCpu) {
-    GpuAnalysisKernels kernels(testing_support::device());
+    GpuAnalysisKernels kernels(test::device());
     for (const int height : {4, 17, 64}) {
         const core::DirectionalMap map = partlyKnown(height);
         const float scale = 30 + static_cast<float>(height);
@@ -272,7 +272,7 @@ core::Scene withNoise(core::Scene scene) {
 
 /// Spheres on a floor, two of them glossy: small, but large enough for several slices.
 core::Scene smallScene() {
-    core::Scene scene = testing_support::makeRandomScene(400, 300, 3).scene();
+    core::Scene scene = test::randomSpheres(400, 300, 3).scene;
     scene.environment.height = 32;
     for (core::Segment& segment : scene.segments) segment.glossy = segment.label == 3 || segment.label == 5;
     return scene;
@@ -281,7 +281,7 @@ core::Scene smallScene() {
 TEST(AnalysisKernels, AnalyseTheSampleLikeTheCpu) {
     for (const bool noisy : {false, true}) {
         const core::Scene scene = noisy ? withNoise(bundledSample()) : bundledSample();
-        GpuAnalysisKernels kernels(testing_support::device());
+        GpuAnalysisKernels kernels(test::device());
         const auto expected = core::AnalysisPipeline().run(scene);
         const auto actual = core::AnalysisPipeline().run(scene, {}, kernels);
         EXPECT_TRUE(kernels.takeNotes().empty());
@@ -318,7 +318,7 @@ TEST(AnalysisKernels, AnalyseTheSampleLikeTheCpu) {
 TEST(AnalysisKernels, RepeatToTheByte) {
     const core::Scene scene = withNoise(smallScene());
     const auto analyse = [&] {
-        GpuAnalysisKernels kernels(testing_support::device());
+        GpuAnalysisKernels kernels(test::device());
         return core::AnalysisPipeline().run(scene, {}, kernels);
     };
     const auto first = analyse();
@@ -351,7 +351,7 @@ void expectStops(const char* what, const Work& work) {
 }
 
 TEST(AnalysisKernels, StopBetweenSlices) {
-    GpuAnalysisKernels kernels(testing_support::device());
+    GpuAnalysisKernels kernels(test::device());
     const Picture picture = makePicture(200, 150, 0.01f, 5);
     const auto color = core::analysis::encodeColor(picture.color, core::Progress());
     expectStops("depth filter", [&](const core::Progress& stopped) {
@@ -363,7 +363,7 @@ TEST(AnalysisKernels, StopBetweenSlices) {
         surface.depth = picture.depth;
         kernels.computeSurface({picture.camera, picture.labels}, surface, stopped);
     });
-    const core::DepthLayers layers = testing_support::makeRandomScene(100, 80, 3).layers();
+    const core::DepthLayers layers = test::randomSpheres(100, 80, 3).layers();
     expectStops("march", [&](const core::Progress& stopped) {
         const std::vector<core::MarchRay> rays(20000, {{0, 0, 1}, {0, 1, 0}});
         (void)kernels.rayMarcher(layers)->march(rays, 0, stopped);
@@ -382,7 +382,7 @@ TEST(AnalysisKernels, AStoppedAnalysisCanBeTakenUpAgain) {
     const core::Scene scene = smallScene();
     for (const core::Task stop : {core::Task::ComputeNormals, core::Task::InventBackSides,
                                   core::Task::EstimateReflectance, core::Task::RecoverEnvironment}) {
-        GpuAnalysisKernels kernels(testing_support::device());
+        GpuAnalysisKernels kernels(test::device());
         std::atomic<bool> cancel{false};
         const core::Progress progress(
             [&](core::Task task, float fraction) {

@@ -411,9 +411,8 @@ TEST(GpuAdopted, DrawsIntoAFramebufferOfAnotherOwner) {
 TEST(GpuAdopted, OwnDevicesHaveNoAdoptedFrames) {
     Window window;
     VkCommandBuffer commandBuffer = window.commandBuffers[0];
-    gpu_test::expectRejected([&] { (void)gpu_test::context().device.beginAdoptedFrame(commandBuffer, 0); },
-                             {"not adopted"});
-    gpu_test::expectRejected([] { (void)gpu::Device::adopt({.label = "nothing"}); }, {"\"nothing\"", "null"});
+    test::expectRejected([&] { (void)test::context().device.beginAdoptedFrame(commandBuffer, 0); }, {"not adopted"});
+    test::expectRejected([] { (void)gpu::Device::adopt({.label = "nothing"}); }, {"\"nothing\"", "null"});
 }
 
 }  // namespace

@@ -12,10 +12,10 @@ namespace {
 
 using gpu::BlockMember;
 using gpu::BufferUsage;
-using gpu_test::expectRejected;
-using gpu_test::GpuTest;
 using kernel::TestBlock;
 using kernel::TestInner;
+using test::expectRejected;
+using test::GpuTest;
 
 class GpuBlockLayout : public GpuTest {};
 

@@ -18,8 +18,8 @@ namespace {
 
 using gpu::BufferUsage;
 using gpu::TextureUsage;
-using gpu_test::context;
-using gpu_test::GpuTest;
+using test::context;
+using test::GpuTest;
 
 class GpuCompute : public GpuTest {};
 
@@ -360,7 +360,7 @@ TEST_F(GpuCompute, DynamicOffsetsPickThePartOfABuffer) {
 TEST_F(GpuCompute, PipelinesCompileInTheBackground) {
     const std::vector<std::uint32_t> values = randomValues(1000, 1000);
     const gpu::ShaderModule module = device.createShaderModule({.label = "sum", .code = test_sum_spv});
-    gpu_test::expectRejected(
+    test::expectRejected(
         [&] {
             static_cast<void>(device.createComputePipelineAsync(
                 {.label = "sum", .module = module, .constants = {{.key = "no such", .value = 1}}}));
@@ -398,7 +398,7 @@ TEST_F(GpuCompute, PipelinesCompileInTheBackground) {
     for (int i = 0; i < 100; ++i)
         pipelines.push_back(other.createComputePipelineAsync({.label = "sum", .module = its}));
     other.destroy();
-    gpu_test::expectRejected([&] { static_cast<void>(other.createCommandEncoder()); }, {"destroyed"});
+    test::expectRejected([&] { static_cast<void>(other.createCommandEncoder()); }, {"destroyed"});
 }
 
 }  // namespace

@@ -17,10 +17,10 @@ namespace {
 using gpu::BufferUsage;
 using gpu::TextureFormat;
 using gpu::TextureUsage;
-using gpu_test::context;
-using gpu_test::errorOf;
-using gpu_test::expectRejected;
-using gpu_test::GpuTest;
+using test::context;
+using test::errorOf;
+using test::expectRejected;
+using test::GpuTest;
 
 class GpuValidation : public GpuTest {
   protected:

@@ -46,7 +46,7 @@ using Offsets = std::map<std::string, std::size_t>;
 void expectLayout(std::span<const std::uint32_t> code, const std::string& name, const Offsets& expected,
                   std::size_t size) {
     const gpu::ShaderModule module =
-        testing_support::device().createShaderModule({.label = "block layout of " + name, .code = code});
+        test::device().createShaderModule({.label = "block layout of " + name, .code = code});
     const gpu::BlockLayout layout = module.blockLayout(name);
     Offsets actual;
     for (const gpu::BlockMember& member : layout.members) actual[member.name] = member.offset;

@@ -15,14 +15,14 @@
 namespace {
 
 using core::Vector3f;
-using testing_support::AnalyticScene;
-using testing_support::device;
-using testing_support::edited;
-using testing_support::finish;
-using testing_support::ggx;
-using testing_support::marble;
-using testing_support::pixels;
-using testing_support::stillLife;
+using test::AnalyticScene;
+using test::device;
+using test::edited;
+using test::finish;
+using test::ggx;
+using test::marble;
+using test::pixels;
+using test::stillLife;
 
 /// Records slices until there is nothing left to do; false if that takes longer than `seconds`.
 bool endsWithin(render::Renderer& renderer, double seconds) {
@@ -43,7 +43,7 @@ TEST(Renderer, ATimeLimitEndsRefinementButNotTheFirstPicture) {
     scene.render.filter = true;
     scene.render.timeLimit = 1;
     render::Renderer renderer(device());
-    renderer.setScene(scene, source.analysis());
+    renderer.setScene(scene, source.analysis);
     ASSERT_TRUE(endsWithin(renderer, 60));
     const render::Renderer::Progress limited = renderer.progress();
     EXPECT_TRUE(limited.finished);
@@ -54,14 +54,14 @@ TEST(Renderer, ATimeLimitEndsRefinementButNotTheFirstPicture) {
     // Another edit has its own time; a limit too short for one sample still gives a picture.
     scene.findSegment(2)->edit->values[0] = 0.5f;
     scene.render.timeLimit = 1e-9;
-    renderer.setScene(scene, source.analysis());
+    renderer.setScene(scene, source.analysis);
     EXPECT_FALSE(renderer.progress().finished);
     ASSERT_TRUE(endsWithin(renderer, 60));
     EXPECT_EQ(renderer.progress().samples, 1);
 
     scene.render.samples = 3;
     scene.render.timeLimit = 3600;
-    renderer.setScene(scene, source.analysis());
+    renderer.setScene(scene, source.analysis);
     ASSERT_TRUE(endsWithin(renderer, 60));
     EXPECT_EQ(renderer.progress().samples, 3);
     EXPECT_FALSE(renderer.progress().timeUp) << "the samples ended it";
@@ -71,7 +71,7 @@ TEST(Renderer, PausedItShowsTheFirstPictureAndGoesOnWhereItWas) {
     const AnalyticScene source = stillLife();
     core::Scene scene = edited(source, 2, ggx(0.3f), 40);
     render::Renderer renderer(device());
-    renderer.setScene(scene, source.analysis());
+    renderer.setScene(scene, source.analysis);
     renderer.setRefining(false);
     ASSERT_TRUE(endsWithin(renderer, 60));
     const int first = renderer.progress().samples;
@@ -86,7 +86,7 @@ TEST(Renderer, PausedItShowsTheFirstPictureAndGoesOnWhereItWas) {
     EXPECT_TRUE(renderer.progress().finished);
     EXPECT_FALSE(renderer.progress().timeUp);
     const core::ImageRgb paused = render::readResult(device(), renderer);
-    const core::ImageRgb atOnce = render::renderImage(device(), scene, source.analysis());
+    const core::ImageRgb atOnce = render::renderImage(device(), scene, source.analysis);
     EXPECT_EQ(std::memcmp(paused.pixels().data(), atOnce.pixels().data(), paused.size() * sizeof(core::Vector3f)), 0);
 }
 
@@ -102,7 +102,7 @@ TEST(Renderer, SameBytesOnAnySchedule) {
     std::vector<int> submissions;
     for (const double budget : {0.0, 0.004, 0.5}) {
         render::Renderer renderer(device());
-        renderer.setScene(scene, source.analysis());
+        renderer.setScene(scene, source.analysis);
         submissions.push_back(finish(renderer, budget));
         const render::Renderer::Progress progress = renderer.progress();
         EXPECT_TRUE(progress.finished);
@@ -125,7 +125,7 @@ TEST(Renderer, RestartsOnlyWhatAnEditInvalidates) {
     scene.render.bounces = 1;
     scene.render.surfaceSamples = 300;
     scene.render.irradianceSamples = 4;
-    const auto analysis = source.analysis();
+    const auto analysis = source.analysis;
     render::Renderer renderer(device());
     renderer.setScene(scene, analysis);
     finish(renderer, 0.1);
@@ -201,7 +201,7 @@ TEST(Renderer, ShowsAPictureWithTheFirstSlice) {
     EXPECT_FALSE(renderer.record(idle, 0.03)) << "without a scene there is nothing to do";
     device().queue().submit(idle.finish());
 
-    renderer.setScene(edited(source, 2, ggx(0.2f), 64), source.analysis());
+    renderer.setScene(edited(source, 2, ggx(0.2f), 64), source.analysis);
     EXPECT_FALSE(renderer.result());
     do {
         gpu::CommandEncoder encoder = device().createCommandEncoder({.label = "first"});
@@ -223,12 +223,12 @@ TEST(Renderer, ShowsAPictureWithTheFirstSlice) {
 
 TEST(Renderer, EveryPixelFollowsAChangeThatRestartsEverySlice) {
     const AnalyticScene source = stillLife();
-    core::Material paint = testing_support::material("lambert");
+    core::Material paint = test::material("lambert");
     paint.albedo = Vector3f(0.9f, 0.05f, 0.05f);
     core::Scene scene = edited(source, 2, paint, 1);
     scene.render.bounces = 1;
     scene.render.filter = false;
-    const auto analysis = source.analysis();
+    const auto analysis = source.analysis;
     render::Renderer renderer(device());
     renderer.setScene(scene, analysis);
     finish(renderer, 0.1);
@@ -260,27 +260,27 @@ TEST(Renderer, EveryPixelFollowsAChangeThatRestartsEverySlice) {
 
 TEST(Renderer, FollowsANewPhotographOfAnotherSize) {
     const AnalyticScene first = stillLife();
-    const AnalyticScene second = testing_support::makeAnalyticScene(70, 110, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0,
+    const AnalyticScene second = test::spheresOnFloor(70, 110, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0,
                                                                     [](const Vector3f&) { return Vector3f(1, 1, 1); });
     render::Renderer renderer(device());
-    renderer.setScene(edited(first, 2, ggx(0.2f), 2), first.analysis());
+    renderer.setScene(edited(first, 2, ggx(0.2f), 2), first.analysis);
     finish(renderer, 0.1);
     core::Scene scene = edited(second, 2, marble(), 2);
     scene.render.surfaceSamples = 300;
     scene.render.irradianceSamples = 4;
-    renderer.setScene(scene, second.analysis());
+    renderer.setScene(scene, second.analysis);
     finish(renderer, 0.1);
     EXPECT_EQ(renderer.result().width(), 70u);
     EXPECT_EQ(renderer.result().height(), 110u);
     render::Renderer fresh(device());
-    fresh.setScene(scene, second.analysis());
+    fresh.setScene(scene, second.analysis);
     finish(fresh, 0.1);
     EXPECT_EQ(pixels(renderer), pixels(fresh));
 }
 
 TEST(Renderer, NothingEditedIsThePhotograph) {
     const AnalyticScene source = stillLife();
-    const core::ImageRgb image = render::renderImage(device(), source.scene(), source.analysis());
+    const core::ImageRgb image = render::renderImage(device(), source.scene, source.analysis);
     EXPECT_EQ(image, source.photo->color);
 }
 
@@ -300,12 +300,12 @@ TEST(Renderer, SaysWhenThePictureIsTooLarge) {
 TEST(Renderer, AdvancesWhereTheCompositeExceedsTheBudget) {
     constexpr int kSlices = 10;
     constexpr double kBudget = 0.01;
-    const AnalyticScene source = testing_support::makeAnalyticScene(640, 640, {{Vector3f(0, 0, 1), 0.4f, 2}}, 0,
+    const AnalyticScene source = test::spheresOnFloor(640, 640, {{Vector3f(0, 0, 1), 0.4f, 2}}, 0,
                                                                     [](const Vector3f&) { return Vector3f(1, 1, 1); });
     const auto count = std::count(source.photo->labels.pixels().begin(), source.photo->labels.pixels().end(), 2);
     core::Scene scene = edited(source, 2, ggx(0.2f), 2);
     scene.render.bounces = 1;  // with more, paths depend on the weights
-    const auto analysis = source.analysis();
+    const auto analysis = source.analysis;
     render::Renderer renderer(device());
     renderer.setScene(scene, analysis);
     finish(renderer, 0.1);
@@ -326,7 +326,7 @@ TEST(Renderer, CanBeCancelled) {
     const AnalyticScene source = stillLife();
     const core::Scene scene = edited(source, 2, ggx(0.2f), 100000);
     const std::atomic<bool> cancel = true;
-    EXPECT_THROW((void)render::renderImage(device(), scene, source.analysis(), core::Progress({}, &cancel)),
+    EXPECT_THROW((void)render::renderImage(device(), scene, source.analysis, core::Progress({}, &cancel)),
                  core::Error);
 }
 

@@ -15,15 +15,15 @@
 namespace {
 
 using core::Vector3f;
-using testing_support::AnalyticScene;
-using testing_support::compare;
-using testing_support::Comparison;
-using testing_support::device;
-using testing_support::edited;
-using testing_support::ggx;
-using testing_support::marble;
-using testing_support::material;
-using testing_support::stillLife;
+using test::AnalyticScene;
+using test::compare;
+using test::Comparison;
+using test::device;
+using test::edited;
+using test::ggx;
+using test::marble;
+using test::material;
+using test::stillLife;
 
 TEST(Reshade, FollowsTheReferenceRendererPathByPath) {
     const AnalyticScene source = stillLife();
@@ -33,8 +33,8 @@ TEST(Reshade, FollowsTheReferenceRendererPathByPath) {
         core::Material m = material(brdf);
         m.specular = Vector3f(0.9f, 0.8f, 0.6f);
         const core::Scene scene = edited(source, 2, m, 4);
-        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
-        const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
+        const core::ImageRgb expected = core::renderReference(scene, source.analysis);
         const Comparison c = compare(actual, expected, source.photo->labels, 2);
         ASSERT_GT(c.pixels, 500u);
         // Paths diverge where rounding decides between two pixels; all others draw the same numbers.
@@ -51,8 +51,8 @@ TEST(Reshade, FollowsTheReferenceRendererWithMeasuredBrdfs) {
     const AnalyticScene source = stillLife();
     core::Scene scene = edited(source, 2, core::fileMaterial(core::loadBrdfFile(folder / "glossy.binary")), 4);
     scene.findSegment(3)->edit = core::fileMaterial(core::loadBrdfFile(folder / "matt.binary"));
-    const core::ImageRgb expected = core::renderReference(scene, source.analysis());
-    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
+    const core::ImageRgb expected = core::renderReference(scene, source.analysis);
+    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
     for (const auto label : {std::uint16_t{2}, std::uint16_t{3}}) {
         const Comparison c = compare(actual, expected, source.photo->labels, label);
         ASSERT_GT(c.pixels, 500u);
@@ -71,8 +71,8 @@ TEST(Reshade, FollowsTheReferenceRendererInSunlight) {
     scene.findSegment(1)->edit = marble();
     scene.render.surfaceSamples = 300;
     scene.render.irradianceSamples = 8;
-    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
-    const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
+    const core::ImageRgb expected = core::renderReference(scene, source.analysis);
     for (const auto label : {std::uint16_t{1}, std::uint16_t{2}, std::uint16_t{3}}) {
         const Comparison c = compare(actual, expected, source.photo->labels, label);
         // Every pixel of a translucent body sums all samples, including the few whose rays diverge at an edge of the
@@ -93,8 +93,8 @@ TEST(Reshade, SeveralEditedSegmentsSeeEachOther) {
     scene.findSegment(1)->glossy = true;
     scene.render.surfaceSamples = 300;
     scene.render.irradianceSamples = 8;
-    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
-    const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
+    const core::ImageRgb expected = core::renderReference(scene, source.analysis);
     for (const auto label : {std::uint16_t{2}, std::uint16_t{3}}) {
         const Comparison c = compare(actual, expected, source.photo->labels, label);
         // The sum over the samples of the translucent body has an error of its own
@@ -109,19 +109,19 @@ TEST(Reshade, SeveralEditedSegmentsSeeEachOther) {
 TEST(Reshade, WhiteFurnaceIsWhite) {
     const auto white = [](const Vector3f&) { return Vector3f(1, 1, 1); };
     const AnalyticScene source =
-        testing_support::makeAnalyticScene(100, 80, {{Vector3f(0, 0, 1), 0.3f, 2, Vector3f(1, 1, 1)}}, 0, white);
+        test::spheresOnFloor(100, 80, {{Vector3f(0, 0, 1), 0.3f, 2, Vector3f(1, 1, 1)}}, 0, white);
     core::Material m = material("lambert");
     m.albedo = Vector3f(1, 1, 1);
     const core::Scene scene = edited(source, 2, m, 16);
-    const core::ImageRgb image = render::renderImage(device(), scene, source.analysis());
+    const core::ImageRgb image = render::renderImage(device(), scene, source.analysis);
     for (std::size_t i = 0; i < image.size(); ++i) ASSERT_NEAR((image[i] - Vector3f(1, 1, 1)).norm(), 0, 1e-4) << i;
 
     // A convex body does not see itself: with a black photograph a false hit would be a dark speck.
     AnalyticScene black =
-        testing_support::makeAnalyticScene(100, 80, {{Vector3f(0, 0, 1), 0.3f, 2, Vector3f::Zero()}}, 0, white);
+        test::spheresOnFloor(100, 80, {{Vector3f(0, 0, 1), 0.3f, 2, Vector3f::Zero()}}, 0, white);
     core::Scene once = edited(black, 2, m, 16);
     once.render.bounces = 1;
-    const core::ImageRgb seen = render::renderImage(device(), once, black.analysis());
+    const core::ImageRgb seen = render::renderImage(device(), once, black.analysis);
     double sum = 0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -137,7 +137,7 @@ TEST(Reshade, UneditedPixelsAreThePhotograph) {
     const AnalyticScene source = stillLife();
     core::Scene scene = edited(source, 2, ggx(0.2f), 2);
     scene.render.filter = true;
-    const core::ImageRgb image = render::renderImage(device(), scene, source.analysis());
+    const core::ImageRgb image = render::renderImage(device(), scene, source.analysis);
     const core::LabelImage& labels = source.photo->labels;
     const auto atOutline = [&](int x, int y) {
         for (int v = y - 2; v <= y + 2; ++v)
@@ -173,8 +173,8 @@ TEST(Silhouette, IsTheTwinOfTheCpuVersion) {
         }
     core::Scene scene = edited(source, 2, ggx(0.3f), 2);
     scene.findSegment(2)->edit->blendOriginal = 0.25f;
-    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
-    const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+    const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
+    const core::ImageRgb expected = core::renderReference(scene, source.analysis);
     std::size_t changedOutside = 0;
     std::size_t different = 0;
     for (std::size_t i = 0; i < actual.size(); ++i) {
@@ -193,14 +193,14 @@ TEST(Filter, IsTheTwinOfTheCpuFilter) {
     for (const int samples : {2, 8}) {
         core::Scene scene = edited(source, 2, ggx(0.3f), samples);
         scene.render.filter = true;
-        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
-        const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
+        const core::ImageRgb expected = core::renderReference(scene, source.analysis);
         const Comparison c = compare(actual, expected, source.photo->labels, 2);
         EXPECT_GE(c.nearlyEqual, 0.9) << samples;
         EXPECT_LE(c.meanDifference, 0.003) << samples;
 
         scene.render.filter = false;
-        const core::ImageRgb raw = render::renderImage(device(), scene, source.analysis());
+        const core::ImageRgb raw = render::renderImage(device(), scene, source.analysis);
         EXPECT_LT(compare(raw, expected, source.photo->labels, 2).nearlyEqual, 0.5) << "the filter does something";
     }
 }

@@ -12,13 +12,13 @@
 namespace {
 
 using core::Vector3f;
-using testing_support::AnalyticScene;
-using testing_support::compare;
-using testing_support::device;
-using testing_support::edited;
-using testing_support::marble;
-using testing_support::material;
-using testing_support::stillLife;
+using test::AnalyticScene;
+using test::compare;
+using test::device;
+using test::edited;
+using test::marble;
+using test::material;
+using test::stillLife;
 
 TEST(Translucency, MatchesBruteForceInDouble) {
     const AnalyticScene source = stillLife();
@@ -29,8 +29,8 @@ TEST(Translucency, MatchesBruteForceInDouble) {
         core::Scene scene = edited(source, 2, m, 1);
         scene.render.surfaceSamples = 700;
         scene.render.irradianceSamples = 16;
-        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
-        const core::ImageRgb expected = core::renderReference(scene, source.analysis());
+        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
+        const core::ImageRgb expected = core::renderReference(scene, source.analysis);
         EXPECT_LE(compare(actual, expected, source.photo->labels, 2).meanDifference, 0.002) << eta;
         // The grids' own error, within its bounds.
         double squares = 0;
@@ -51,7 +51,7 @@ TEST(Translucency, MatchesBruteForceInDouble) {
 TEST(Translucency, NeverBrighterThanAWhiteSurface) {
     // Spheres that form one body with gaps and necks, in white light among white objects.
     const Vector3f one(1, 1, 1);
-    const AnalyticScene source = testing_support::makeAnalyticScene(80, 60,
+    const AnalyticScene source = test::spheresOnFloor(80, 60,
                                                                     {{Vector3f(-0.12f, 0, 0.9f), 0.1f, 2, one},
                                                                      {Vector3f(0.1f, 0, 0.9f), 0.1f, 2, one},
                                                                      {Vector3f(-0.01f, 0.13f, 0.95f), 0.1f, 2, one},
@@ -59,7 +59,7 @@ TEST(Translucency, NeverBrighterThanAWhiteSurface) {
                                                                     0, [&](const Vector3f&) { return one; });
     core::Material lambert = material("lambert");
     lambert.albedo = one;
-    const core::ImageRgb white = render::renderImage(device(), edited(source, 2, lambert, 4), source.analysis());
+    const core::ImageRgb white = render::renderImage(device(), edited(source, 2, lambert, 4), source.analysis);
     for (const bool matched : {true, false}) {
         core::Material m = marble();
         m.translucency->sigmaA = Vector3f(0, 0, 0.002f);
@@ -69,7 +69,7 @@ TEST(Translucency, NeverBrighterThanAWhiteSurface) {
         core::Scene scene = edited(source, 2, m, 1);
         scene.render.surfaceSamples = 1500;
         scene.render.irradianceSamples = 8;
-        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis());
+        const core::ImageRgb actual = render::renderImage(device(), scene, source.analysis);
         float largest = 0;
         for (std::size_t i = 0; i < actual.size(); ++i)
             if (source.photo->labels[i] == 2) largest = std::max(largest, actual[i].cwiseQuotient(white[i]).maxCoeff());

@@ -13,7 +13,7 @@
 #include "core/shading/image_filter.h"
 #include "core/shading/reference_renderer.h"
 #include "core/shading/surface_samples.h"
-#include "tests/support/shading_scene.h"
+#include "tests/support/analytic_scene.h"
 #include "tests/support/statistics.h"
 
 namespace core {

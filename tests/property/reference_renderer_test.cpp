@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "shaders/shared/rng.h"
-#include "tests/support/shading_scene.h"
+#include "tests/support/analytic_scene.h"
 
 namespace core {
 namespace {
