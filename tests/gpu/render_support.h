@@ -19,6 +19,7 @@
 #include "gpu/instance.h"
 #include "gpu/readback.h"
 #include "render/renderer.h"
+#include "tests/support/analytic_scene.h"
 
 /// Small analytic scenes for the tests of kernels and renderer.
 namespace test {

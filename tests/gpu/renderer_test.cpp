@@ -261,7 +261,7 @@ TEST(Renderer, EveryPixelFollowsAChangeThatRestartsEverySlice) {
 TEST(Renderer, FollowsANewPhotographOfAnotherSize) {
     const AnalyticScene first = stillLife();
     const AnalyticScene second = test::spheresOnFloor(70, 110, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0,
-                                                                    [](const Vector3f&) { return Vector3f(1, 1, 1); });
+                                                      [](const Vector3f&) { return Vector3f(1, 1, 1); });
     render::Renderer renderer(device());
     renderer.setScene(edited(first, 2, ggx(0.2f), 2), first.analysis);
     finish(renderer, 0.1);
@@ -301,7 +301,7 @@ TEST(Renderer, AdvancesWhereTheCompositeExceedsTheBudget) {
     constexpr int kSlices = 10;
     constexpr double kBudget = 0.01;
     const AnalyticScene source = test::spheresOnFloor(640, 640, {{Vector3f(0, 0, 1), 0.4f, 2}}, 0,
-                                                                    [](const Vector3f&) { return Vector3f(1, 1, 1); });
+                                                      [](const Vector3f&) { return Vector3f(1, 1, 1); });
     const auto count = std::count(source.photo->labels.pixels().begin(), source.photo->labels.pixels().end(), 2);
     core::Scene scene = edited(source, 2, ggx(0.2f), 2);
     scene.render.bounces = 1;  // with more, paths depend on the weights
@@ -326,8 +326,7 @@ TEST(Renderer, CanBeCancelled) {
     const AnalyticScene source = stillLife();
     const core::Scene scene = edited(source, 2, ggx(0.2f), 100000);
     const std::atomic<bool> cancel = true;
-    EXPECT_THROW((void)render::renderImage(device(), scene, source.analysis, core::Progress({}, &cancel)),
-                 core::Error);
+    EXPECT_THROW((void)render::renderImage(device(), scene, source.analysis, core::Progress({}, &cancel)), core::Error);
 }
 
 }  // namespace

@@ -117,8 +117,7 @@ TEST(Reshade, WhiteFurnaceIsWhite) {
     for (std::size_t i = 0; i < image.size(); ++i) ASSERT_NEAR((image[i] - Vector3f(1, 1, 1)).norm(), 0, 1e-4) << i;
 
     // A convex body does not see itself: with a black photograph a false hit would be a dark speck.
-    AnalyticScene black =
-        test::spheresOnFloor(100, 80, {{Vector3f(0, 0, 1), 0.3f, 2, Vector3f::Zero()}}, 0, white);
+    AnalyticScene black = test::spheresOnFloor(100, 80, {{Vector3f(0, 0, 1), 0.3f, 2, Vector3f::Zero()}}, 0, white);
     core::Scene once = edited(black, 2, m, 16);
     once.render.bounces = 1;
     const core::ImageRgb seen = render::renderImage(device(), once, black.analysis);

@@ -52,11 +52,11 @@ TEST(Translucency, NeverBrighterThanAWhiteSurface) {
     // Spheres that form one body with gaps and necks, in white light among white objects.
     const Vector3f one(1, 1, 1);
     const AnalyticScene source = test::spheresOnFloor(80, 60,
-                                                                    {{Vector3f(-0.12f, 0, 0.9f), 0.1f, 2, one},
-                                                                     {Vector3f(0.1f, 0, 0.9f), 0.1f, 2, one},
-                                                                     {Vector3f(-0.01f, 0.13f, 0.95f), 0.1f, 2, one},
-                                                                     {Vector3f(-0.01f, -0.1f, 0.85f), 0.03f, 2, one}},
-                                                                    0, [&](const Vector3f&) { return one; });
+                                                      {{Vector3f(-0.12f, 0, 0.9f), 0.1f, 2, one},
+                                                       {Vector3f(0.1f, 0, 0.9f), 0.1f, 2, one},
+                                                       {Vector3f(-0.01f, 0.13f, 0.95f), 0.1f, 2, one},
+                                                       {Vector3f(-0.01f, -0.1f, 0.85f), 0.03f, 2, one}},
+                                                      0, [&](const Vector3f&) { return one; });
     core::Material lambert = material("lambert");
     lambert.albedo = one;
     const core::ImageRgb white = render::renderImage(device(), edited(source, 2, lambert, 4), source.analysis);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/directional_map.h"
+#include "core/analysis/light/directional_accumulator.h"
 
 #include <gtest/gtest.h>
 

@@ -17,9 +17,9 @@
 #include "core/scene/masks.h"
 #include "core/shading/drive_table.h"
 #include "core/shading/reference_renderer.h"
+#include "tests/support/analytic_scene.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/image_files.h"
-#include "tests/support/analytic_scene.h"
 
 using core::Drive;
 using core::DriveEnd;

@@ -91,7 +91,9 @@ struct PassOverImage {
             const float wb = values[-a];
             const float residual = 0.5f * (wa + wb) - w;
             const float squared = residual * residual * factor;
-            if (squared >= kernel::kMaxSquaredResidual || wa <= 0 || wb <= 0 || segments[a] != label || segments[-a] != label) continue;
+            if (squared >= kernel::kMaxSquaredResidual || wa <= 0 || wb <= 0 || segments[a] != label ||
+                segments[-a] != label)
+                continue;
             const float k =
                 pair.weight * robustWeight(squared) *
                 biweight((squaredDistance(colors[a], center) + squaredDistance(colors[-a], center)) * pass.colorFactor);

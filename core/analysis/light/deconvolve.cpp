@@ -14,7 +14,7 @@ constexpr int kFactorIterations = 3;
 /// Half vectors per lobe.
 constexpr int kLobeSamples = 24;
 /// Maximum factor of one iteration.
-constexpr float kMaxStep = 4.0f;
+constexpr float kMaxFactorStep = 4.0f;
 
 std::vector<std::uint32_t> observedTexels(const LobeObservations& source) {
     std::vector<std::uint32_t> texels;
@@ -29,7 +29,7 @@ void vote(const LobeSystem& system, const ImageRgb& light, ImageRgb& factor, Ima
         const LobeSystem::Row& row = system.rows[r];
         Vector3f predicted = Vector3f::Zero();
         for (const auto& entry : system.entriesOf(r)) predicted += entry.weight * light[entry.texel];
-        Vector3f ratio = row.observed.cwiseQuotient(predicted).cwiseMax(1 / kMaxStep).cwiseMin(kMaxStep);
+        Vector3f ratio = row.observed.cwiseQuotient(predicted).cwiseMax(1 / kMaxFactorStep).cwiseMin(kMaxFactorStep);
         Vector3f certain = Vector3f::Constant(row.weight);
         for (int c = 0; c < 3; ++c)
             if ((row.clipped >> c & 1u) != 0 && ratio[c] <= 1) certain[c] = 0;  // the lower bound is fulfilled
