@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/evaluate/photo_report.h"
 
+#include "core/analysis/pipeline.h"
 #include "core/base/clock.h"
 #include "core/io/image_io.h"
-#include "core/io/material_json.h"
 #include "core/io/project.h"
 #include "render/renderer.h"
 #include "tests/evaluate/device.h"

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <ostream>
 
+#include "core/scene/scene.h"
 #include "tests/evaluate/contact_sheet.h"
 #include "tests/evaluate/json.h"
 
