@@ -13,6 +13,7 @@
 #include "core/base/parallel.h"
 #include "core/material/brdf_file.h"
 #include "core/material/diffusion_profile.h"
+#include "core/shading/diffusion_grid.h"
 #include "core/shading/segment_shading.h"
 #include "core/shading/silhouette.h"
 #include "shaders/shared/diffusion.h"
