@@ -8,7 +8,7 @@ namespace core {
 
 /// What went wrong, as far as a caller has to act on it; the command line's exit codes follow from it.
 enum class ErrorKind {
-    Usage,      ///< the request itself is wrong (exit code 2)
+    Usage,      ///< the request is wrong (exit code 2)
     Input,      ///< a file or value from outside cannot be used (exit code 3)
     Output,     ///< a result could not be written (exit code 5)
     Cancelled,  ///< the user stopped it; no result, nothing changed

@@ -16,7 +16,6 @@ namespace {
 
 constexpr float kMaxFactor = 100;
 constexpr float kMaxStrength = 100;
-const std::vector<std::string> kSources{"mask", "luminance"};
 
 /// Value of a scalar; for a colour, [r, g, b] or a factor on the material's own.
 std::optional<DriveEnd> readEnd(JsonReader& reader, const char* key, const DriveParameter& parameter) {
@@ -56,7 +55,7 @@ Drive readDrive(const json& value, const std::string& place, ErrorKind kind, Mas
     const DriveParameter& parameter = parameters[*reader.readChoice("parameter", keys)];
     Drive drive;
     drive.parameter = parameter.key;
-    if (const auto source = reader.readChoice("source", kSources)) drive.source = static_cast<DriveSource>(*source);
+    reader.readWord("source", drive.source);
     if (drive.source == DriveSource::Mask) {
         reader.require("mask");
         std::string path;
@@ -97,7 +96,7 @@ ordered_json writeDrives(const Material& material, const std::function<std::stri
         if (parameter == parameters.end()) continue;
         ordered_json entry;
         entry["parameter"] = drive.parameter;
-        entry["source"] = kSources[static_cast<std::size_t>(drive.source)];
+        entry["source"] = wordOf(drive.source);
         const bool mask = drive.source == DriveSource::Mask;
         if (mask && drive.mask != nullptr) entry["mask"] = filePath ? filePath(drive.mask->path()) : drive.mask->path();
         if (drive.from) entry["from"] = writeEnd(*drive.from, *parameter, material);

@@ -184,8 +184,7 @@ Material readMaterial(const json& value, const std::string& place, ErrorKind kin
     }
     for (std::size_t i = 0; i < brdf.params.size(); ++i)
         reader.read(brdf.params[i].key, material.values[i], brdf.params[i].min, brdf.params[i].max);
-    if (reader.readChoice("fresnel", {"none", "schlick", "dielectric", "conductor"}))
-        material.fresnel = *findFresnel(reader.find("fresnel")->get<std::string>());
+    reader.readWord("fresnel", material.fresnel);
     reader.readColorOrNumber("eta", material.eta, kMinIndex, kMaxIndex);
     reader.readColorOrNumber("k", material.k, 0.0f, kMaxIndex);
     readParams(reader, blendParams(), material);
@@ -208,7 +207,7 @@ ordered_json writeMaterial(const Material& material, const std::function<std::st
     result["specular"] = material.specular ? toJson(*material.specular) : json("estimated");
     for (std::size_t i = 0; brdf != nullptr && i < brdf->params.size(); ++i)
         if (material.values[i] != kNoValue) result[brdf->params[i].key] = toJson(material.values[i]);
-    result["fresnel"] = fresnelKey(material.fresnel);
+    result["fresnel"] = wordOf(material.fresnel);
     const Metal* metal = brdf != nullptr && brdf->usesSpecular ? metalOf(material) : nullptr;
     if (metal != nullptr) {
         result["metal"] = metal->key;

@@ -302,7 +302,7 @@ std::vector<SceneParam> environmentParams() {
              .group = ParamGroup::Light}),
         at<&Scene::environment, &EnvironmentParams::height>({.key = "environment.height",
                                                              .label = PARAM_LABEL("scene", "Rows"),
-                                                             .legal = {4, 4096},
+                                                             .legal = {kMinMapRows, kMaxMapRows},
                                                              .stage = Reflectance}),
         at<&Scene::environment, &EnvironmentParams::use>(
             {.key = "environment.use",

@@ -128,6 +128,10 @@ struct Words<EnvironmentFill> {
         {EnvironmentFill::Shepard, "shepard", PARAM_LABEL("scene", "Inverse distance (Shepard)")}};
 };
 
+/// Legal range of EnvironmentParams::height.
+inline constexpr int kMinMapRows = 4;
+inline constexpr int kMaxMapRows = 4096;
+
 /// The light: recovered from the photograph, or a map given by the user.
 struct EnvironmentParams {
     std::string path;  ///< "" = recovered
@@ -136,7 +140,7 @@ struct EnvironmentParams {
     std::shared_ptr<const ImageRgb> image;  ///< loaded from `path`; latitude-longitude, camera frame
     float rotation = 0;                     ///< about the camera's y axis [rad]
     float scale = 1;                        ///< radiance factor
-    int height = 128;                       ///< rows of the recovered maps; width is twice that
+    int height = 128;  ///< rows of the recovered maps, kMinMapRows to kMaxMapRows; width is twice that
     bool operator==(const EnvironmentParams&) const = default;
 };
 

@@ -19,7 +19,7 @@
 #include "core/shading/reference_renderer.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/image_files.h"
-#include "tests/support/shading_scene.h"
+#include "tests/support/analytic_scene.h"
 
 using core::Drive;
 using core::DriveEnd;

@@ -23,6 +23,7 @@
 #include "core/material/material_ranges.h"
 #include "core/material/metals.h"
 #include "core/material/translucency.h"
+#include "core/material/user_brdf.h"
 #include "ui/background_task.h"
 #include "ui/panels/drive_list.h"
 #include "ui/widgets/color_button.h"
