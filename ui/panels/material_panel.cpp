@@ -361,7 +361,7 @@ void MaterialPanel::makeCoefficients(QVBoxLayout* layout) {
                            .toolTip = tr("Depth that light reaches [mm]; changes absorption and scattering"),
                            .unit = tr("mm"),
                            .minimum = 0.001,
-                           .maximum = static_cast<double>(core::kLongestFreePath),
+                           .maximum = static_cast<double>(core::kMaxMeanFreePath),
                            .decimals = 3,
                            .edit = tr("Change free path"),
                            .set =
