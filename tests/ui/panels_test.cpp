@@ -448,16 +448,18 @@ void setControl(QWidget& panel, const core::ParamRow& row, const QString& name, 
 TEST_F(Panels, EveryParameterHasItsControl) {
     open();
     workspace_.select(2);
-    workspace_.editScene("prepare", [](core::Scene& scene) {
-        scene.segments[1].glossy = true;
-        scene.depthFilter.automatic = false;
-        scene.environment.image = std::make_shared<core::ImageRgb>(4, 2);
-    });
     std::vector<std::unique_ptr<QWidget>> panels;
     for (const ui::PanelEntry& entry : ui::panelRegistry()) panels.emplace_back(entry.make(workspace_, nullptr));
     const auto check = [&](const core::ParamRow& row, const auto& current) {
         if (row.group == core::ParamGroup::None) return;
         SCOPED_TRACE(row.key);
+        // Enables all controls.
+        workspace_.editScene("prepare", [](core::Scene& scene) {
+            scene.segments[1].glossy = true;
+            scene.segments[1].backSide.method = core::BackSideMethod::Automatic;
+            scene.depthFilter = {};
+            scene.environment.image = std::make_shared<core::ImageRgb>(4, 2);
+        });
         const QString name = ui::ParamControl(row).name();
         QWidget* owner = nullptr;
         for (const auto& panel : panels)
