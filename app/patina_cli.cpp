@@ -2,8 +2,10 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <string>
 
 #include "app/cli/session.h"
+#include "app/cli/words.h"
 #include "gpu/error.h"
 
 namespace {
@@ -22,9 +24,9 @@ int exitCode(core::ErrorKind kind) {
     return cli::kUnusableInput;
 }
 
-int report(const char* message, int code) {
+int report(const std::string& message, int code) {
     cli::finishProgress();
-    std::fprintf(stderr, "patina-cli: %s\n", message);
+    std::fprintf(stderr, "patina-cli: %s\n", message.c_str());
     return code;
 }
 
@@ -39,7 +41,7 @@ int run(const cli::Session& session) {
             return report("Cannot write to the standard output.", cli::kNotWritten);
         return cli::kDone;
     } catch (const core::Error& error) {
-        return report(error.what(), exitCode(error.kind()));
+        return report(cli::sentence(error.message()), exitCode(error.kind()));
     } catch (const gpu::Error& error) {
         return report(error.what(), cli::kNoDevice);
     } catch (const std::bad_alloc&) {

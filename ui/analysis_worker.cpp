@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ui/background_task.h"
+#include "ui/words.h"
 
 namespace ui {
 
@@ -71,10 +72,9 @@ void AnalysisWorker::analyse(const Request& request) {
         if (kernels_) result->notes = kernels_->takeNotes();
         emit finished(std::move(result));
     } catch (const core::Error& error) {
-        if (error.kind() != core::ErrorKind::Cancelled)
-            emit failed(request.generation, QString::fromUtf8(error.what()));
+        if (error.kind() != core::ErrorKind::Cancelled) emit failed(request.generation, translated(error));
     } catch (const std::exception& error) {
-        emit failed(request.generation, QString::fromUtf8(error.what()));
+        emit failed(request.generation, translated(error));
     }
 }
 

@@ -25,7 +25,7 @@ struct AnalysisResult {
     std::uint64_t generation = 0;  ///< Workspace::generation of `scene`
     core::Scene scene;
     std::shared_ptr<const core::Analysis> analysis;
-    std::vector<std::string> notes;  ///< what went otherwise than asked for, full sentences
+    core::Notes notes;  ///< what went otherwise than asked for
 };
 
 /// Runs core::AnalysisPipeline on a thread of its own. A mailbox with one slot: only the latest request waits, the one

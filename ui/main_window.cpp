@@ -32,6 +32,7 @@
 #include "ui/canvas/ruler.h"
 #include "ui/panels/registry.h"
 #include "ui/vulkan_support.h"
+#include "ui/words.h"
 
 namespace ui {
 
@@ -52,7 +53,7 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWin
         try {
             vulkan_ = createVulkanInstance(problem);
         } catch (const gpu::Error& error) {
-            problem = QString::fromUtf8(error.what());
+            problem = translated(error);
         }
     }
     canvas_ = new Canvas(vulkan_.get(), problem, options_.device, this);
@@ -203,13 +204,12 @@ void MainWindow::analysisFinished(const std::shared_ptr<const AnalysisResult>& r
     refreshLayerPicture();
     updateProgress();
     if (!current) return;
-    QStringList notes;
-    for (const std::string& note : core::analysisNotes(workspace_.scene(), *result->analysis))
-        notes << QString::fromStdString(note);
-    for (const std::string& note : result->notes) notes << QString::fromStdString(note);
-    if (notes == analysisNotes_) return;
-    analysisNotes_ = notes;
-    if (!notes.isEmpty()) statusBar()->showMessage(notes.join(' '), kAnalysisNotesMilliseconds);
+    core::Notes notes = core::analysisNotes(workspace_.scene(), *result->analysis);
+    notes.insert(notes.end(), result->notes.begin(), result->notes.end());
+    const QString sentences = translated(notes);
+    if (sentences == analysisNotes_) return;
+    analysisNotes_ = sentences;
+    if (!sentences.isEmpty()) statusBar()->showMessage(sentences, kAnalysisNotesMilliseconds);
 }
 
 void MainWindow::setLayer(ViewLayer layer) {
@@ -394,7 +394,7 @@ void MainWindow::chooseDevice() {
             names << QString::fromStdString(adapter.info().name);
         }
     } catch (const gpu::Error& error) {
-        showError(QString::fromUtf8(error.what()));
+        showError(translated(error));
         return;
     }
     QSettings settings;

@@ -102,22 +102,21 @@ void MainWindow::openFile(const QString& path) {
     confirmDiscard([this, path] {
         openScene(
             tr("Opening %1").arg(QFileInfo(path).fileName()),
-            [path](std::vector<std::string>* notes) { return core::loadProject(path.toStdString(), notes); }, path);
+            [path](core::Notes* notes) { return core::loadProject(path.toStdString(), notes); }, path);
     });
 }
 
 void MainWindow::createFrom(const core::CreateOptions& options) {
     confirmDiscard([this, options] {
         openScene(tr("Reading %1").arg(QFileInfo(QString::fromStdString(options.color)).fileName()),
-                  [options](std::vector<std::string>* notes) { return core::createScene(options, notes); }, {});
+                  [options](core::Notes* notes) { return core::createScene(options, notes); }, {});
     });
 }
 
-void MainWindow::openScene(const QString& title, std::function<core::Scene(std::vector<std::string>*)> load,
-                           const QString& path) {
+void MainWindow::openScene(const QString& title, std::function<core::Scene(core::Notes*)> load, const QString& path) {
     struct Loaded {
         core::Scene scene;
-        std::vector<std::string> notes;
+        core::Notes notes;
         std::shared_ptr<const CanvasPicture> original;
     };
     auto loaded = std::make_shared<Loaded>();
@@ -135,9 +134,7 @@ void MainWindow::openScene(const QString& title, std::function<core::Scene(std::
             canvas_->setOriginal(loaded->original);
             refreshLayerPicture();
             if (!path.isEmpty()) addRecent(path);
-            QStringList notes;
-            for (const std::string& note : loaded->notes) notes << QString::fromStdString(note);
-            if (!notes.isEmpty()) statusBar()->showMessage(notes.join(' '), kNotesMilliseconds);
+            if (!loaded->notes.empty()) statusBar()->showMessage(translated(loaded->notes), kNotesMilliseconds);
         });
 }
 

@@ -81,12 +81,12 @@ void catchInterrupts() {
     sigaction(SIGINT, &action, nullptr);
 }
 
-void printNotes(const std::vector<std::string>& notes) {
-    for (const std::string& sentence : notes) std::fprintf(stderr, "patina-cli: %s\n", sentence.c_str());
+void printNotes(std::span<const core::Message> notes) {
+    for (const core::Message& note : notes) std::fprintf(stderr, "patina-cli: %s\n", sentence(note).c_str());
 }
 
 core::Scene loadScene(const std::string& project) {
-    std::vector<std::string> notes;
+    core::Notes notes;
     core::Scene scene = core::loadProject(project, &notes);
     printNotes(notes);
     return scene;

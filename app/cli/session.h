@@ -47,7 +47,7 @@ void finishProgress();
 void catchInterrupts();
 
 /// One sentence per line on stderr.
-void printNotes(const std::vector<std::string>& notes);
+void printNotes(std::span<const core::Message> notes);
 /// Loads a project and prints what had to be assumed.
 [[nodiscard]] core::Scene loadScene(const std::string& project);
 

@@ -22,7 +22,7 @@ inline constexpr long kMaxImagePixels = 200'000'000;
 /// files are taken as linear, in the primaries they name, else Rec.709. R, G, B by name, plain or in a layer; a single
 /// channel is grey. Alpha is ignored. NaN and Inf become 0, negative values are clamped to 0; where that changes much
 /// of the picture, `remarks` says so.
-[[nodiscard]] ImageRgb loadColor(const std::string& path, std::vector<std::string>* remarks = nullptr);
+[[nodiscard]] ImageRgb loadColor(const std::string& path, Notes* remarks = nullptr);
 /// One channel of stored values as float, undecoded (16-bit PNG gives 0..65535); channel Z, else Y, else the first.
 [[nodiscard]] ImageF loadScalar(const std::string& path);
 /// Channel A beside channel Z of a flat image: the share of each pixel that is covered. Empty where there is none.
@@ -51,7 +51,7 @@ struct ImageInfo {
 /// An image file inside another file.
 struct EmbeddedImage {
     std::string bytes;
-    std::string subject;  ///< what messages call it: `the depth map inside "photo.jpg"`
+    Message subject;  ///< what messages call it: `the depth map inside "photo.jpg"`
 };
 [[nodiscard]] ImageRgb loadColor(EmbeddedImage image);
 [[nodiscard]] ImageF loadScalar(EmbeddedImage image);

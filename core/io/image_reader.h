@@ -48,7 +48,7 @@ class ImageReader {
     /// floats.
     [[nodiscard]] float integerScale() const;
 
-    [[noreturn]] void fail(const std::string& reason) const;
+    [[noreturn]] void fail(const Message& reason) const;
 
   private:
     void open(const std::string& name, Palette palette);
@@ -58,8 +58,8 @@ class ImageReader {
     void readRegion(int channelBegin, int channelEnd, float* target);
     [[nodiscard]] bool dataFillsDisplay() const;
 
-    std::string subject_;  ///< what messages call the file
-    std::string path_;     ///< empty for an embedded image
+    Message subject_;   ///< what messages call the file
+    std::string path_;  ///< empty for an embedded image
     std::string format_;
     std::size_t fileSize_ = 0;
     std::string memory_;  ///< an embedded image, or a rewritten file (indexed PNG); empty otherwise

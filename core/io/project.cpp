@@ -29,13 +29,13 @@ const std::vector<std::string> kEnvironmentUses{"replace", "complete"};
 const std::vector<std::string> kEnvironmentFills{"shepard", "membrane"};
 const std::vector<std::string> kDiffusionQualities{"draft", "standard", "fine"};
 
-std::string knownLabels(const Scene& scene) {
+Message knownLabels(const Scene& scene) {
     std::string text;
     for (const Segment& segment : scene.segments) {
         text += (text.empty() ? "" : ", ") + std::to_string(segment.label);
         if (segment.name != "segment " + std::to_string(segment.label)) text += " (" + segment.name + ")";
     }
-    return text.empty() ? "it has no segments" : "it has " + text;
+    return text.empty() ? Message("messages", "it has no segments") : Message("messages", "it has %1", {text});
 }
 
 /// Resolves the paths of a project file, which are relative to its folder.
@@ -82,7 +82,7 @@ PhotoRequest readPhoto(const json& value, const PathReader& paths) {
 }
 
 Segment readSegment(const json& value, const std::string& place, MaskLoader& masks, const std::string& folder,
-                    std::vector<std::string>* notes) {
+                    Notes* notes) {
     JsonReader reader(value, place, ErrorKind::Input);
     Segment segment;
     reader.require("label");
@@ -91,7 +91,8 @@ Segment readSegment(const json& value, const std::string& place, MaskLoader& mas
     segment.label = static_cast<std::uint16_t>(label);
     segment.name = "segment " + std::to_string(label);
     reader.read("name", segment.name);
-    if (segment.name.empty()) reader.fail("\"" + reader.place("name") + "\" is empty, expected a name.");
+    if (segment.name.empty())
+        reader.fail(Message("messages", "\"%1\" is empty, expected a name.", {reader.place("name")}));
     reader.read("glossy", segment.glossy);
     if (const json* backSide = reader.find("back_side")) {
         JsonReader back(*backSide, reader.place("back_side"), ErrorKind::Input);
@@ -121,9 +122,9 @@ Segment readSegment(const json& value, const std::string& place, MaskLoader& mas
     return segment;
 }
 
-void readSegments(const json& list, const std::string& folder, Scene& scene, std::vector<std::string>* notes) {
+void readSegments(const json& list, const std::string& folder, Scene& scene, Notes* notes) {
     MaskLoader masks(folder);
-    if (!list.is_array()) throw Error(ErrorKind::Input, "\"segments\" is no list [...].");
+    if (!list.is_array()) throw Error(ErrorKind::Input, Message("messages", "\"%1\" is no list [...].", {"segments"}));
     std::set<std::uint16_t> labels;
     std::set<std::string> names;
     std::set<std::uint16_t> present;
@@ -133,15 +134,16 @@ void readSegments(const json& list, const std::string& folder, Scene& scene, std
         const std::string place = "segments[" + std::to_string(i) + "]";
         Segment segment = readSegment(list[i], place, masks, folder, notes);
         if (!present.contains(segment.label))
-            throw Error(ErrorKind::Input, "\"" + place + ".label\" is " + std::to_string(segment.label) +
-                                              ", but the label map \"" + scene.photo->source.segments +
-                                              "\" has no such label.");
+            throw Error(ErrorKind::Input,
+                        Message("messages", "\"%1.label\" is %2, but the label map \"%3\" has no such label.",
+                                {place, segment.label, scene.photo->source.segments}));
         if (!labels.insert(segment.label).second)
-            throw Error(ErrorKind::Input, "\"" + place + ".label\" is " + std::to_string(segment.label) +
-                                              ", which another segment has already.");
+            throw Error(ErrorKind::Input, Message("messages", "\"%1.label\" is %2, which another segment has already.",
+                                                  {place, segment.label}));
         if (!names.insert(segment.name).second)
             throw Error(ErrorKind::Input,
-                        "\"" + place + ".name\" is \"" + segment.name + "\", which another segment has already.");
+                        Message("messages", "\"%1.name\" is \"%2\", which another segment has already.",
+                                {place, segment.name}));
         scene.segments.push_back(std::move(segment));
     }
 }
@@ -184,18 +186,19 @@ void readRender(const json& value, RenderParams& params) {
     reader.finish();
 }
 
-Scene readProject(const std::string& path, std::vector<std::string>* notes) {
+Scene readProject(const std::string& path, Notes* notes) {
     const json document = parseJson(readFile(path, kMaxProjectBytes), ErrorKind::Input);
     JsonReader reader(document, "", ErrorKind::Input);
     std::string format;
     reader.read("format", format);
-    if (format != "patina") reader.fail("The file is no Patina project: expected \"format\": \"patina\".");
+    if (format != "patina")
+        reader.fail(Message("messages", "The file is not a Patina project: expected \"format\": \"patina\"."));
     reader.require("version");
     int version = 0;
     reader.read("version", version, 1, std::numeric_limits<int>::max());
     if (version > kVersion)
-        reader.fail("The project has version " + std::to_string(version) + ", this program reads up to version " +
-                    std::to_string(kVersion) + ".");
+        reader.fail(Message("messages", "The project has version %1, this program reads up to version %2.",
+                            {version, kVersion}));
     const PathReader paths(path);
     reader.require("photo");
     const json* photo = reader.find("photo");
@@ -212,7 +215,7 @@ Scene readProject(const std::string& path, std::vector<std::string>* notes) {
     if (render != nullptr) readRender(*render, scene.render);
     scene.photo = loadPhoto(request, notes);
     if (segments != nullptr) {
-        std::vector<std::string> unheard;
+        Notes unheard;
         readSegments(*segments, fs::path(path).parent_path().string(), scene, notes != nullptr ? notes : &unheard);
         requireMasksFit(scene);
     }
@@ -295,7 +298,7 @@ ordered_json writeScene(const Scene& scene, const fs::path& folder) {
 
 }  // namespace
 
-Scene createScene(const CreateOptions& options, std::vector<std::string>* notes) {
+Scene createScene(const CreateOptions& options, Notes* notes) {
     PhotoRequest request;
     request.source.color = options.color;
     request.source.depth = options.depth;
@@ -310,20 +313,20 @@ Scene createScene(const CreateOptions& options, std::vector<std::string>* notes)
     for (const std::string& name : options.glossy) {
         Segment* segment = scene.findSegment(name);
         if (segment == nullptr)
-            throw Error(ErrorKind::Usage, "There is no segment \"" + name + "\" in \"" +
-                                              (options.segments.empty() ? options.color : options.segments) +
-                                              "\": " + knownLabels(scene) + ".");
+            throw Error(ErrorKind::Usage, Message("messages", "There is no segment \"%1\" in \"%2\": %3.",
+                                                  {name, options.segments.empty() ? options.color : options.segments,
+                                                   knownLabels(scene)}));
         segment->glossy = true;
     }
     return scene;
 }
 
-Scene loadProject(const std::string& path, std::vector<std::string>* notes) {
+Scene loadProject(const std::string& path, Notes* notes) {
     try {
         return readProject(path, notes);
     } catch (const Error& error) {
         const ErrorKind kind = error.kind() == ErrorKind::Usage ? ErrorKind::Input : error.kind();
-        throw Error(kind, error.what()).withContext("While loading \"" + path + "\".");
+        throw error.as(kind).withContext(Message("messages", "While loading \"%1\".", {path}));
     }
 }
 
@@ -335,8 +338,9 @@ void saveProject(const Scene& scene, const std::string& path) {
     try {
         writeFileAtomically(path, writeScene(withSavedMasks(scene, path), folder).dump(2) + "\n");
     } catch (const json::exception&) {
-        throw Error(ErrorKind::Output,
-                    "Cannot write \"" + path + "\": a file or segment name in it is not valid UTF-8.");
+        throw Error(
+            ErrorKind::Output,
+            Message("messages", "Cannot write \"%1\": a file or segment name in it is not valid UTF-8.", {path}));
     }
 }
 

@@ -16,9 +16,9 @@ namespace core {
 
 /// A BRDF that a file defines. Immutable and shared by the materials that name the file.
 struct BrdfFile {
-    std::string path;     ///< absolute, or relative to the current folder
-    std::string name;     ///< for people
-    std::string problem;  ///< why it cannot be used, a full sentence that names the file; "" = usable
+    std::string path;  ///< absolute, or relative to the current folder
+    std::string name;  ///< for people
+    Message problem;   ///< why it cannot be used, a full sentence that names the file; empty = usable
     std::shared_ptr<const MeasuredBrdf> measured;  ///< one of these two, when usable
     std::shared_ptr<const UserBrdf> user;
     BrdfInfo info;                       ///< key kFileBrdf

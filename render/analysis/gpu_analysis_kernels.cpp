@@ -64,8 +64,8 @@ struct GpuAnalysisKernels::Impl {
                 return onDevice();
             } catch (const gpu::Error& error) {
                 failed = error.kind() != gpu::ErrorKind::OutOfMemory;
-                std::string note =
-                    std::string("The ") + what + " was done on the CPU, because the device fails: " + error.what();
+                core::Message note("messages", "%1 was done on the CPU, because the device fails: %2",
+                                   {core::Message("messages", what), error.what()});
                 if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
             }
         }
@@ -83,7 +83,7 @@ struct GpuAnalysisKernels::Impl {
     Lazy<FillShepardPass> shepard;
     Lazy<Marching> marching;
     bool failed = false;  ///< nothing more is asked of the device
-    std::vector<std::string> notes;
+    core::Notes notes;
 };
 
 class GpuAnalysisKernels::Impl::Filter : public DepthFilter {
@@ -99,7 +99,7 @@ class GpuAnalysisKernels::Impl::Filter : public DepthFilter {
             return kernel.run(*images_, pass, inverseDepth, impl_->slices, progress);
         };
         const auto onCpu = [&] { return core::analysis::runFilterPass(pass, inverseDepth, color_, labels_, progress); };
-        return impl_->attempt("depth filter", onDevice, onCpu);
+        return impl_->attempt(MESSAGE_TEXT("messages", "The depth filter"), onDevice, onCpu);
     }
 
   private:
@@ -115,7 +115,7 @@ class GpuAnalysisKernels::Impl::Marcher : public RayMarcher {
     ~Marcher() override {
         if (uploaded_ && !impl_->failed)
             impl_->attempt(
-                "ray march", [&] { release(); }, [] {});
+                MESSAGE_TEXT("messages", "The ray march"), [&] { release(); }, [] {});
     }
     Marcher(const Marcher&) = delete;
     Marcher& operator=(const Marcher&) = delete;
@@ -147,7 +147,7 @@ class GpuAnalysisKernels::Impl::Marcher : public RayMarcher {
             if (!cpu_) cpu_ = core::cpuAnalysisKernels().rayMarcher(layers_);
             return cpu_->march(rays, without, progress);
         };
-        return impl_->attempt("ray march", onDevice, onCpu);
+        return impl_->attempt(MESSAGE_TEXT("messages", "The ray march"), onDevice, onCpu);
     }
 
   private:
@@ -171,7 +171,8 @@ std::unique_ptr<core::AnalysisKernels::DepthFilter> GpuAnalysisKernels::depthFil
 void GpuAnalysisKernels::computeSurface(const core::analysis::SurfaceInput& input, core::Surface& surface,
                                         const core::Progress& progress) {
     impl_->attempt(
-        "fit of the surface", [&] { impl_->surface.get().run(input, surface, impl_->slices, progress); },
+        MESSAGE_TEXT("messages", "The fit of the surface"),
+        [&] { impl_->surface.get().run(input, surface, impl_->slices, progress); },
         [&] { core::analysis::computeSurface(input, surface, progress); });
 }
 
@@ -182,18 +183,20 @@ std::unique_ptr<core::AnalysisKernels::RayMarcher> GpuAnalysisKernels::rayMarche
 void GpuAnalysisKernels::relaxMembrane(const core::ImageF& coverage, std::span<const core::analysis::MembraneRow> rows,
                                        core::ImageRgb& values, const core::Progress& progress) {
     impl_->attempt(
-        "filling of directions", [&] { impl_->membrane.get().run(coverage, rows, values, impl_->slices, progress); },
+        MESSAGE_TEXT("messages", "The filling of directions"),
+        [&] { impl_->membrane.get().run(coverage, rows, values, impl_->slices, progress); },
         [&] { core::analysis::relaxMembrane(coverage, rows, values, progress); });
 }
 
 void GpuAnalysisKernels::fillShepard(const core::analysis::DirectionTree& tree, core::DirectionalMap& map,
                                      const core::Progress& progress) {
     impl_->attempt(
-        "filling of directions", [&] { impl_->shepard.get().run(tree, map, impl_->slices, progress); },
+        MESSAGE_TEXT("messages", "The filling of directions"),
+        [&] { impl_->shepard.get().run(tree, map, impl_->slices, progress); },
         [&] { core::analysis::fillShepard(tree, map, progress); });
 }
 
-std::vector<std::string> GpuAnalysisKernels::takeNotes() { return std::exchange(impl_->notes, {}); }
+core::Notes GpuAnalysisKernels::takeNotes() { return std::exchange(impl_->notes, {}); }
 
 AnalysisTwin parseAnalysisTwin(const std::string& text, const std::string& origin) {
     if (text == "auto") return AnalysisTwin::Automatic;

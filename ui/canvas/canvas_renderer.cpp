@@ -11,6 +11,7 @@
 #include "gpu/adopt.h"
 #include "gpu/error.h"
 #include "ui/canvas/display.h"
+#include "ui/words.h"
 
 namespace ui {
 
@@ -54,7 +55,7 @@ void CanvasRenderer::initResources() {
         deviceName_ = QString::fromStdString(device_.adapterInfo().name);
         emit window_.deviceReady(deviceName_);
     } catch (const std::exception& error) {
-        fail(QString::fromUtf8(error.what()));
+        fail(translated(error));
     }
 }
 
@@ -296,7 +297,7 @@ void CanvasRenderer::attempt(const std::function<void()>& work) {
     try {
         work();
     } catch (const std::exception& error) {
-        fail(QString::fromUtf8(error.what()));
+        fail(translated(error));
     }
 }
 

@@ -17,6 +17,7 @@
 #include "core/io/image_io.h"
 #include "ui/widgets/param_slider.h"
 #include "ui/widgets/profile_view.h"
+#include "ui/words.h"
 
 namespace ui {
 
@@ -51,7 +52,7 @@ QString BackSidePanel::outcomeText() const {
     if (info == analysis->backSides.end()) return {};
     QString text;
     if (!info->note.empty()) {
-        text = tr("%1. %2").arg(methodName(info->used), QString::fromStdString(info->note));
+        text = tr("%1. %2").arg(methodName(info->used), translated(info->note));
     } else if (segment->backSide.method == core::BackSideMethod::Automatic) {
         text = tr("Automatic: %1 (penalty %2)")
                    .arg(methodName(info->used), locale().toString(static_cast<double>(info->mirrorError), 'f', 2));
@@ -276,7 +277,7 @@ void BackSidePanel::chooseBackDepth() {
             scene.backDepth = depth;
         });
     } catch (const core::Error& problem) {
-        emit error(QString::fromUtf8(problem.what()));
+        emit error(translated(problem));
     }
 }
 

@@ -30,7 +30,7 @@ struct Candidate {
     BackSideMethod method = BackSideMethod::Offset;
     std::optional<BackSamples> samples;  ///< nullopt: it failed
     float error = 0;                     ///< BackSideInfo::mirrorError
-    std::string failure;                 ///< why, a full sentence
+    Message failure;                     ///< why, a full sentence
 };
 
 Candidate mirrorAtPlane(const SegmentPixels& segment, BackSideMethod method, float shift) {
@@ -44,13 +44,13 @@ Candidate mirrorAtPlane(const SegmentPixels& segment, BackSideMethod method, flo
         for (const auto& [x, y] : segment.pixels) points.push_back(segment.front.position(x, y));
         const auto axis = mirrorAxis(points);
         if (!axis) {
-            result.failure = "Its points lie on a line, which has no mirror plane.";
+            result.failure = Message("messages", "Its points lie on a line, which has no mirror plane.");
             return result;
         }
         plane = fitMirrorPlane(segment, *axis);
         if (plane.error > kMaxMirrorError) {
             result.error = plane.error;
-            result.failure = "No mirror plane keeps most of it inside its silhouette.";
+            result.failure = Message("messages", "No mirror plane keeps most of it inside its silhouette.");
             return result;
         }
     }
@@ -58,7 +58,7 @@ Candidate mirrorAtPlane(const SegmentPixels& segment, BackSideMethod method, flo
     plane.offset += shift;
     BackSamples image = drawMirrorImage(segment, plane);
     if (static_cast<float>(coveredCount(image)) < kMinMirrorCover * static_cast<float>(segment.pixels.size())) {
-        result.failure = "Its mirror image covers too little of its silhouette.";
+        result.failure = Message("messages", "Its mirror image covers too little of its silhouette.");
         return result;
     }
     closeGaps(image);
@@ -72,7 +72,7 @@ Candidate flatFaces(FlatFaces solid) {
         closeGaps(solid.samples);
         result.samples = std::move(solid.samples);
     } else {
-        result.failure = "No flat face of it ends at its outline.";
+        result.failure = Message("messages", "No flat face of it ends at its outline.");
     }
     return result;
 }
@@ -96,16 +96,18 @@ Candidate invent(const SegmentPixels& segment, const std::optional<SupportPlane>
     Candidate result{method, {}, 0, {}};
     if (method == BackSideMethod::Offset) return result;
     if (segment.supports[segment.label]) {
-        result.failure = "It runs out of the picture like a table or a wall, so it is a slab of constant thickness.";
+        result.failure = Message(
+            "messages", "It runs out of the picture like a table or a wall, so it is a slab of constant thickness.");
     } else if (segment.pixels.size() < kMinMirrorPoints) {
-        result.failure = "It has too few pixels with depth to tell its shape.";
+        result.failure = Message("messages", "It has too few pixels with depth to tell its shape.");
     } else if (method == BackSideMethod::SpannedMirror) {
         SpannedMirror mirror = mirrorAtSpannedSurface(segment, support, params.planeShift, reporter.progress());
         result.error = mirror.error;
         if (mirror.outline > 0)
             result.samples = std::move(mirror.samples);
         else
-            result.failure = "Nothing of its outline is seen, so no mirror can be spanned into it.";
+            result.failure =
+                Message("messages", "Nothing of its outline is seen, so no mirror can be spanned into it.");
     } else if (method == BackSideMethod::FlatFaces) {
         return flatFaces(continueFlatFaces(segment));
     } else {
@@ -253,11 +255,11 @@ Step backSideStep() {
     step.run = [](Board& board, const StepContext& context) {
         const Photo& photo = *board.scene->photo;
         if (board.scene->backDepth && !board.scene->backDepth->sameSize(photo.depth))
-            throw Error(ErrorKind::Input, "The back-side depth \"" + board.scene->backDepthPath + "\" has " +
-                                              std::to_string(board.scene->backDepth->width()) + "x" +
-                                              std::to_string(board.scene->backDepth->height()) +
-                                              " pixels, but the photograph has " + std::to_string(photo.depth.width()) +
-                                              "x" + std::to_string(photo.depth.height()) + ".");
+            throw Error(
+                ErrorKind::Input,
+                Message("messages", "The back-side depth \"%1\" has %2x%3 pixels, but the photograph has %4x%5.",
+                        {board.scene->backDepthPath, board.scene->backDepth->width(), board.scene->backDepth->height(),
+                         photo.depth.width(), photo.depth.height()}));
         board.back = std::make_shared<BackLayer>(inventBackSide(photo.camera, photo.labels, *board.front,
                                                                 board.scene->segments, board.scene->backDepth.get(),
                                                                 board.depth->relativeNoise, context));

@@ -2,7 +2,6 @@
 // Organised point clouds (Point Cloud Library, PCD 0.7): a raster of points with colours. Intrinsics follow from the
 // points themselves.
 #include <cmath>
-#include <sstream>
 
 #include "core/io/color_decode.h"
 #include "core/io/import/pcd_points.h"
@@ -22,7 +21,8 @@ bool recognisesPcd(const ImportFile& file) {
 const PcdField& requireReal(const ImportFile& file, const PcdHeader& header, const char* name) {
     const PcdField* field = header.find(name);
     if (field == nullptr || field->type != 'F' || field->size < 4)
-        file.fail("the point cloud has no field \"" + std::string(name) + "\" of type F and size 4 or 8");
+        file.fail(
+            Message("messages", "the point cloud has no field \"%1\" of type F and size 4 or 8", {std::string(name)}));
     return *field;
 }
 
@@ -68,8 +68,8 @@ Camera fitCamera(const ImportFile& file, const PcdPoints& points, const PcdField
             ++valid;
         }
     if (valid < kMinimalPoints)
-        file.fail("only " + std::to_string(valid) + " points have x, y and z > 0, expected " +
-                  std::to_string(kMinimalPoints) + " or more");
+        file.fail(
+            Message("messages", "only %1 points have x, y and z > 0, expected %2 or more", {valid, kMinimalPoints}));
     const Camera camera{depth.width(),
                         depth.height(),
                         static_cast<float>(horizontal.focal()),
@@ -78,10 +78,11 @@ Camera fitCamera(const ImportFile& file, const PcdPoints& points, const PcdField
                         static_cast<float>(vertical.center())};
     const double residual = std::max(horizontal.residual(), vertical.residual());
     if (!(camera.fx > 0) || !(camera.fy > 0) || !(residual <= kMaxResidual)) {
-        std::ostringstream text;
-        text << "its raster is not what a pin-hole camera sees (fx=" << camera.fx << ", fy=" << camera.fy << ", off by "
-             << residual << " pixels), expected x to the right, y downwards, z forward";
-        file.fail(text.str());
+        file.fail(
+            Message("messages",
+                    "its raster is not what a pin-hole camera sees (fx=%1, fy=%2, off by %3 pixels), expected x to "
+                    "the right, y downwards, z forward",
+                    {camera.fx, camera.fy, residual}));
     }
     return camera;
 }
@@ -95,7 +96,8 @@ ImportedPhoto readPcd(const ImportFile& file) {
     const PcdField* color = header.find("rgba");
     if (color == nullptr) color = header.find("rgb");
     if (color == nullptr || color->size != 4)
-        file.fail("the point cloud has no colours, expected a field \"rgb\" or \"rgba\" of size 4");
+        file.fail(
+            Message("messages", "the point cloud has no colours, expected a field \"rgb\" or \"rgba\" of size 4"));
 
     ImportedPhoto photo;
     photo.kind = DepthKind::Z;
@@ -115,6 +117,6 @@ ImportedPhoto readPcd(const ImportFile& file) {
 
 }  // namespace
 
-const ImportFormat pcdFormat{"an organised point cloud (PCD)", recognisesPcd, readPcd};
+const ImportFormat pcdFormat{MESSAGE_TEXT("messages", "an organised point cloud (PCD)"), recognisesPcd, readPcd};
 
 }  // namespace core

@@ -88,13 +88,13 @@ std::vector<double> XmpNode::numbers(std::string_view uri, std::string_view name
     return result;
 }
 
-Xmp::Xmp(const std::vector<std::string>& packets, std::string* damage) {
+Xmp::Xmp(const std::vector<std::string>& packets, Message* damage) {
     for (const std::string& packet : packets) {
         auto document = std::make_unique<pugi::xml_document>();
         const pugi::xml_parse_result result = document->load_buffer(packet.data(), packet.size());
         if (!result) {
             if (damage != nullptr && damage->empty())
-                *damage = std::string("its XMP is no well-formed XML: ") + result.description();
+                *damage = Message("messages", "its XMP is no well-formed XML: %1", {result.description()});
             continue;
         }
         const pugi::xml_node meta = findElement(*document, "adobe:ns:meta/", "xmpmeta");
@@ -130,8 +130,8 @@ std::vector<double> Xmp::numbers(std::string_view uri, std::string_view name) co
     return {};
 }
 
-Xmp readJpegXmp(std::string_view stream, std::string* damage) {
-    std::string problem;
+Xmp readJpegXmp(std::string_view stream, Message* damage) {
+    Message problem;
     Xmp xmp(jpegXmpPackets(stream, &problem), &problem);
     if (damage != nullptr) *damage = problem;
     return xmp;
