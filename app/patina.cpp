@@ -15,7 +15,7 @@
 
 namespace {
 
-/// Without a display Qt's own message is an abort with a core dump; say what is missing instead.
+/// Without a display Qt would abort with a core dump instead of a message.
 bool displayMissing(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         if (std::string_view(argv[i]).starts_with("-platform") || std::string_view(argv[i]).starts_with("--platform")) {
@@ -40,7 +40,7 @@ bool onlyText(int argc, char** argv) {
 
 void describe(QCommandLineParser& parser) {
     parser.setApplicationDescription(
-        QCoreApplication::translate("main", "Changes what things in a photograph with depth are made of."));
+        QCoreApplication::translate("main", "Changes the materials of objects in photographs with depth."));
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument(QStringLiteral("FILE"),
@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
     if (displayMissing(argc, argv)) {
         std::fputs(
             "Patina needs a display, and neither DISPLAY nor WAYLAND_DISPLAY is set. "
-            "patina-cli does the same work without a window.\n",
+            "Use patina-cli to work without a window.\n",
             stderr);
         return 4;
     }

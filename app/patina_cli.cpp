@@ -30,7 +30,7 @@ int report(const std::string& message, int code) {
     return code;
 }
 
-/// Runs the chosen command; what was printed has to have arrived as well.
+/// Runs the chosen command and checks that its output was written.
 int run(const cli::Session& session) {
     try {
         cli::catchInterrupts();
@@ -55,14 +55,14 @@ int run(const cli::Session& session) {
 
 int main(int argc, char** argv) {
     cli::Session session;
-    CLI::App app("Patina changes what things in a photograph with depth are made of.", "patina-cli");
+    CLI::App app("Patina changes the materials of objects in photographs with depth.", "patina-cli");
     app.set_version_flag("--version", "patina-cli " PATINA_VERSION);
     app.add_option("--device", session.device,
                    "Graphics device: part of its name or its number in `patina-cli devices`")
         ->type_name("DEVICE");
     app.add_option("--analysis", session.analysis,
-                   "Who analyses: auto (the graphics device, unless it is a software one), cpu or gpu")
-        ->type_name("WHO");
+                   "Where the analysis runs: auto (the graphics device, unless it is a software one), cpu or gpu")
+        ->type_name("WHERE");
     app.require_subcommand(1);
     app.fallthrough();
     app.footer(

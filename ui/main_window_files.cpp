@@ -31,7 +31,7 @@ constexpr int kNotesMilliseconds = 15000;
 
 void MainWindow::runTask(const QString& title, BackgroundTask::Work work, std::function<void()> succeeded) {
     if (task_ != nullptr) {
-        statusBar()->showMessage(tr("Please wait until the running work is done."), 4000);
+        statusBar()->showMessage(tr("Please wait until the current task has finished."), 4000);
         return;
     }
     progressDialog_ = new QProgressDialog(title, tr("Cancel"), 0, 1000, this);
@@ -50,7 +50,8 @@ void MainWindow::runTask(const QString& title, BackgroundTask::Work work, std::f
         progressDialog_->setValue(static_cast<int>(fraction * 1000));
     });
     connect(task_.get(), &BackgroundTask::succeeded, this, [this, succeeded = std::move(succeeded)] {
-        const auto then = succeeded;  // the task, and with it this lambda, ends first
+        // A copy, because endTask() destroys this lambda.
+        const auto then = succeeded;
         endTask();
         then();
     });
@@ -78,9 +79,9 @@ void MainWindow::confirmDiscard(std::function<void()> proceed) {
         proceed();
         return;
     }
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Patina"),
-                                tr("The project has changes that are not saved. Save them first?"),
-                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    auto* box =
+        new QMessageBox(QMessageBox::Question, tr("Patina"), tr("The project has unsaved changes. Save them first?"),
+                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
     box->setObjectName(QStringLiteral("discardDialog"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     connect(box, &QMessageBox::buttonClicked, this, [this, box, proceed = std::move(proceed)](QAbstractButton* button) {
@@ -108,7 +109,7 @@ void MainWindow::openFile(const QString& path) {
 
 void MainWindow::createFrom(const core::CreateOptions& options) {
     confirmDiscard([this, options] {
-        openScene(tr("Reading %1").arg(QFileInfo(QString::fromStdString(options.color)).fileName()),
+        openScene(tr("Loading %1").arg(QFileInfo(QString::fromStdString(options.color)).fileName()),
                   [options](core::Notes* notes) { return core::createScene(options, notes); }, {});
     });
 }
@@ -177,7 +178,7 @@ void MainWindow::saveTo(const QString& path, std::function<void()> then) {
         tr("Saving %1").arg(QFileInfo(path).fileName()),
         [scene = workspace_.scene(), path](const core::Progress&) { core::saveProject(scene, path.toStdString()); },
         [this, path, generation, then = std::move(then)] {
-            // A step made while the file was written is not in the file.
+            // Changes made during the write are not in the file.
             if (generation == workspace_.generation()) workspace_.document().setSaved(path.toStdString());
             addRecent(path);
             updateTitle();
@@ -198,7 +199,7 @@ void MainWindow::chooseExport(const QString& title, const QString& name, const Q
 void MainWindow::exportPicture(const QString& path) {
     if (!workspace_.hasPhoto()) return;
     const std::shared_ptr<const core::Analysis> known = analysing_ ? nullptr : workspace_.analysis();
-    // The device is shared with the export: the preview waits.
+    // The preview waits, because the export uses the same device.
     canvas_->setSuspended(true);
     runTask(
         tr("Exporting %1").arg(QFileInfo(path).fileName()),

@@ -198,7 +198,7 @@ class HeifReader {
                 Message("messages",
                         "its colours have the primaries %1 and the transfer function %2 of ITU-T H.273 (16 is PQ, 18 "
                         "is HLG), expected sRGB, a gamma, Rec.709, Rec.2020, linear light or an ICC profile",
-                        {nclx->color_primaries, nclx->transfer_characteristics}));
+                        {static_cast<int>(nclx->color_primaries), static_cast<int>(nclx->transfer_characteristics)}));
         }
         decodeSrgb(color.pixels());
     }
