@@ -58,39 +58,39 @@ void noteLight(const Scene& scene, const Analysis& analysis, Notes& notes) {
     } else if (!glossy && params.image) {
         notes.push_back(Message("messages",
                                 "No segment is flagged as glossy: the light is known only from distant pixels, %1 % of "
-                                "all directions; the loaded map gives the rest. Flag something glossy to recover more.",
-                                {percent}));
+                                "all directions; the loaded map gives the rest. Flag something glossy to recover more.")
+                            .with(percent));
     } else if (!glossy) {
         notes.push_back(Message("messages",
                                 "No segment is flagged as glossy: the light is known only from distant pixels, %1 % of "
-                                "all directions; the rest is guessed. Flag something glossy to recover more.",
-                                {percent}));
+                                "all directions; the rest is guessed. Flag something glossy to recover more.")
+                            .with(percent));
     }
     const auto clipped = std::ranges::count_if(map.clipped.pixels(), [](std::uint8_t c) { return c != 0; });
     if (clipped > 0)
         notes.push_back(Message("messages",
                                 "The camera clipped the light in %1 texels of the environment; their radiance is "
                                 "estimated from the blur around them. Use a photograph with more range (EXR) to get it "
-                                "right.",
-                                {clipped}));
+                                "right.")
+                            .with(clipped));
 }
 
 void noteReflectance(const Segment& segment, const Reflectance& reflectance, std::size_t pixels, Notes& notes) {
     if (pixels < kFewPixels) {
         notes.push_back(Message("messages",
                                 "Segment \"%1\" is glossy but has only %2 pixels with depth: too few to estimate its "
-                                "reflectance and the light from it.",
-                                {segment.name, pixels}));
+                                "reflectance and the light from it.")
+                            .with(segment.name, pixels));
     } else if (!segment.reflectance && analysis::showsMoreThanItMirrors(reflectance)) {
         notes.push_back(Message("messages",
                                 "Segment \"%1\" shows more light than it can mirror: it has colours of its own, so the "
-                                "light is not recovered from it. If it is a mirror, set its reflectance yourself.",
-                                {segment.name}));
+                                "light is not recovered from it. If it is a mirror, set its reflectance yourself.")
+                            .with(segment.name));
     } else if (!reflectance.reliable && !segment.reflectance) {
         notes.push_back(Message("messages",
                                 "Segment \"%1\" mirrors too little whose brightness is known (%2 sr), so its "
-                                "reflectance is a guess. Set it yourself.",
-                                {segment.name, number("%.2f", static_cast<double>(reflectance.commonSolidAngle))}));
+                                "reflectance is a guess. Set it yourself.")
+                            .with(segment.name, number("%.2f", static_cast<double>(reflectance.commonSolidAngle))));
     }
 }
 
@@ -107,8 +107,8 @@ Notes analysisNotes(const Scene& scene, const Analysis& analysis) {
         if (pixels[segment.label] == 0) {
             notes.push_back(Message("messages",
                                     "Segment \"%1\" has no pixel with depth, so it cannot be edited. Give it depth or "
-                                    "mark it again.",
-                                    {segment.name}));
+                                    "mark it again.")
+                                .with(segment.name));
             continue;
         }
         const Reflectance* reflectance = segment.glossy ? analysis.findReflectance(segment.label) : nullptr;
@@ -118,7 +118,7 @@ Notes analysisNotes(const Scene& scene, const Analysis& analysis) {
     for (const BackSideInfo& info : analysis.backSides) {
         const Segment* segment = scene.findSegment(info.label);
         if (!info.note.empty() && segment != nullptr && segment->edit)
-            notes.push_back(Message("messages", "Back side of \"%1\": %2", {segment->name, info.note}));
+            notes.push_back(Message("messages", "Back side of \"%1\": %2").with(segment->name, info.note));
     }
     return notes;
 }

@@ -13,7 +13,7 @@ Error::Error(ErrorKind kind, Message message)
       message_(std::make_shared<const Message>(std::move(message))) {}
 
 Error Error::withContext(const Message& sentence) const {
-    return {kind_, Message("messages", "%1 %2", {*message_, sentence}).about(message_->setting())};
+    return {kind_, Message("messages", "%1 %2").with(*message_, sentence).about(message_->setting())};
 }
 
 void assertionFailed(const char* condition, const char* message, const char* file, int line) {

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void failWriting(const std::string& path, const Message& reason) {
-    throw Error(ErrorKind::Output, Message("messages", "Cannot write \"%1\": %2.", {path, reason}));
+    throw Error(ErrorKind::Output, Message("messages", "Cannot write \"%1\": %2.").with(path, reason));
 }
 
 std::string systemReason(int code) { return std::generic_category().message(code); }
@@ -50,10 +50,11 @@ AtomicFile::AtomicFile(const std::string& target) : named_(target) {
         failWriting(target, Message("messages", "it is not a regular file"));
     const fs::path folder = resolved.has_parent_path() ? resolved.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, code))
-        failWriting(target, Message("messages", "the folder \"%1\" does not exist", {folder.string()}));
+        failWriting(target, Message("messages", "the folder \"%1\" does not exist").with(folder.string()));
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
-        failWriting(target, Message("messages", "the folder \"%1\" is not writable (%2)",
-                                    {folder.string(), systemReason(errno)}));
+        failWriting(
+            target,
+            Message("messages", "the folder \"%1\" is not writable (%2)").with(folder.string(), systemReason(errno)));
     target_ = resolved.string();
     temporary_ = (folder / ("." + resolved.stem().string() + "." + std::to_string(::getpid()) + "-" +
                             std::to_string(++counter) + ".part" + resolved.extension().string()))
@@ -98,7 +99,7 @@ std::size_t checkedFileSize(const std::string& path) {
     std::error_code code;
     const fs::file_status status = fs::status(path, code);
     const auto fail = [&](const Message& reason) {
-        throw Error(ErrorKind::Input, Message("messages", "Cannot read \"%1\": %2.", {path, reason}));
+        throw Error(ErrorKind::Input, Message("messages", "Cannot read \"%1\": %2.").with(path, reason));
     };
     if (status.type() == fs::file_type::not_found) fail(Message("messages", "the file does not exist"));
     if (!fs::status_known(status)) fail(code.message());
@@ -113,13 +114,14 @@ std::size_t checkedFileSize(const std::string& path) {
 std::string readFile(const std::string& path, std::size_t limit) {
     const std::size_t size = checkedFileSize(path);
     if (size > limit)
-        throw Error(ErrorKind::Input, Message("messages", "Cannot read \"%1\": it has %2 bytes, expected at most %3.",
-                                              {path, size, limit}));
+        throw Error(
+            ErrorKind::Input,
+            Message("messages", "Cannot read \"%1\": it has %2 bytes, expected at most %3.").with(path, size, limit));
     std::ifstream file(path, std::ios::binary);
     std::string bytes(size, '\0');
     file.read(bytes.data(), static_cast<std::streamsize>(size));
     if (!file)
-        throw Error(ErrorKind::Input, Message("messages", "Cannot read \"%1\": %2.", {path, systemReason(errno)}));
+        throw Error(ErrorKind::Input, Message("messages", "Cannot read \"%1\": %2.").with(path, systemReason(errno)));
     return bytes;
 }
 

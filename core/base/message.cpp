@@ -49,7 +49,7 @@ std::string Message::shortNumber(double number) {
 
 Message listed(std::span<const Message> items) {
     Message list;
-    for (const Message& item : items) list = list.empty() ? item : Message("messages", "%1, %2", {list, item});
+    for (const Message& item : items) list = list.empty() ? item : Message("messages", "%1, %2").with(list, item);
     return list;
 }
 

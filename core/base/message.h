@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Marks an English text for translation that becomes the pattern of a Message elsewhere, for example in a table.
@@ -18,8 +19,8 @@ enum class Setting { None, DepthUnit, DepthUnitOrKind, FieldOfView };
 /// A sentence for people, or a part of one: an English pattern with places %1 to %9 and the values for them. Core never
 /// prints it; the command line says it in English, the window in the user's language.
 ///
-/// `Message("messages", "Cannot read \"%1\": %2.", {path, reason})` is what lupdate collects, so both texts have to be
-/// literals there. A value is a message in turn: a reason is translated, a name or a number stays as it is.
+/// `Message("messages", "Cannot read \"%1\": %2.").with(path, reason)` is what lupdate collects, so both texts have to
+/// be literals there. A value is a message in turn: a reason is translated, a name or a number stays as it is.
 class Message {
   public:
     /// Finds the translation of a pattern.
@@ -34,9 +35,16 @@ class Message {
     /// Six significant digits.
     template <std::floating_point T>
     Message(T number) : pattern_(shortNumber(static_cast<double>(number))) {}  // NOLINT(google-explicit-constructor)
-    /// `context` has static storage duration.
-    Message(const char* context, std::string pattern, std::vector<Message> values = {})
-        : context_(context), pattern_(std::move(pattern)), values_(std::move(values)) {}
+    /// A pattern; `context` has static storage duration.
+    Message(const char* context, std::string pattern) : context_(context), pattern_(std::move(pattern)) {}
+
+    /// The same pattern with values for its places.
+    template <class... Values>
+    [[nodiscard]] Message with(Values&&... values) const {
+        Message result = *this;
+        (result.values_.emplace_back(std::forward<Values>(values)), ...);
+        return result;
+    }
 
     /// The same message, about a setting.
     [[nodiscard]] Message about(Setting setting) const;

@@ -102,22 +102,22 @@ std::optional<Message> remarkOn(const ColorFaults& faults, std::size_t pixels, c
     const bool negative = static_cast<double>(faults.negative) > kUsualNegative * static_cast<double>(pixels);
     if (faults.notFinite > 0 && negative)
         return Message(
-            "messages",
-            "In \"%1\" %2 of the pixels are not finite numbers and %3 are negative, expected radiance of 0 or "
-            "more: they count as 0. Repair the picture first.",
-            {path, percent(faults.notFinite), percent(faults.negative)});
+                   "messages",
+                   "In \"%1\" %2 of the pixels are not finite numbers and %3 are negative, expected radiance of 0 or "
+                   "more: they count as 0. Repair the picture first.")
+            .with(path, percent(faults.notFinite), percent(faults.negative));
     if (faults.notFinite > 0)
         return Message(
-            "messages",
-            "In \"%1\" %2 of the pixels are not finite numbers, expected radiance of 0 or more: they count as "
-            "0. Repair the picture first.",
-            {path, percent(faults.notFinite)});
+                   "messages",
+                   "In \"%1\" %2 of the pixels are not finite numbers, expected radiance of 0 or more: they count as "
+                   "0. Repair the picture first.")
+            .with(path, percent(faults.notFinite));
     if (negative)
         return Message(
-            "messages",
-            "In \"%1\" %2 of the pixels are negative, expected radiance of 0 or more: they count as 0. Repair "
-            "the picture first.",
-            {path, percent(faults.negative)});
+                   "messages",
+                   "In \"%1\" %2 of the pixels are negative, expected radiance of 0 or more: they count as 0. Repair "
+                   "the picture first.")
+            .with(path, percent(faults.negative));
     return std::nullopt;
 }
 
@@ -243,7 +243,7 @@ LabelImage loadLabels(const std::string& path) {
         const float value = values[i];
         if (!(value >= 0 && value <= 65535) || value != std::floor(value))
             reader.fail(
-                Message("messages", "it contains the label %1, expected whole numbers from 0 to 65535", {value}));
+                Message("messages", "it contains the label %1, expected whole numbers from 0 to 65535").with(value));
         labels[i] = static_cast<std::uint16_t>(value);
     }
     return applyOrientation(std::move(labels), reader.orientation());

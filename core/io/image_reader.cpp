@@ -124,7 +124,8 @@ int findChannel(const OIIO::ImageSpec& spec, const std::string& name) {
 
 ImageReader::ImageReader(const std::string& path, Palette palette)
     : subject_("\"" + path + "\""), path_(path), fileSize_(checkedFileSize(path)) {
-    if (fileSize_ > kMaxFileSize) fail(Message("messages", "it has %1 bytes, more than Patina accepts", {fileSize_}));
+    if (fileSize_ > kMaxFileSize)
+        fail(Message("messages", "it has %1 bytes, more than Patina accepts").with(fileSize_));
     format_ = formatFromContent(readHead(path, kMagicBytes));
     open(path, palette);
 }
@@ -146,7 +147,7 @@ void ImageReader::open(const std::string& name, Palette palette) {
     if (format_ == "tiff" && !tiffIsComplete(readAll()))
         fail(Message("messages", "the file is truncated (TIFF data beyond its end)"));
     input_ = OIIO::ImageInput::create(format_, false);
-    if (!input_) fail(Message("messages", "this build of OpenImageIO does not read %1 files", {format_}));
+    if (!input_) fail(Message("messages", "this build of OpenImageIO does not read %1 files").with(format_));
     OIIO::ImageSpec config;
     config["oiio:UnassociatedAlpha"] = 1;
     if (palette == Palette::Indices && format_ == "png") {
@@ -156,7 +157,7 @@ void ImageReader::open(const std::string& name, Palette palette) {
     if (!memory_.empty()) {
         proxy_ = std::make_unique<OIIO::Filesystem::IOMemReader>(memory_.data(), memory_.size());
         if (!input_->set_ioproxy(proxy_.get()))
-            fail(Message("messages", "this build of OpenImageIO does not read %1 files from memory", {format_}));
+            fail(Message("messages", "this build of OpenImageIO does not read %1 files from memory").with(format_));
     }
     if (!input_->open(name, spec_, config)) fail(libraryReason(input_->geterror()));
     checkHeader();
@@ -180,29 +181,30 @@ ImageReader::~ImageReader() {
 }
 
 void ImageReader::fail(const Message& reason) const {
-    throw Error(ErrorKind::Input, Message("messages", "Cannot read %1: %2.", {subject_, reason}));
+    throw Error(ErrorKind::Input, Message("messages", "Cannot read %1: %2.").with(subject_, reason));
 }
 
 void ImageReader::checkHeader() const {
     const auto checkSize = [&](int width, int height) {
         if (width <= 0 || height <= 0)
-            fail(Message("messages", "the image size is %1", {imageSizeText(width, height)}));
+            fail(Message("messages", "the image size is %1").with(imageSizeText(width, height)));
         if (width > kMaxImageSide || height > kMaxImageSide ||
             static_cast<long>(width) * static_cast<long>(height) > kMaxImagePixels)
-            fail(Message("messages", "the image size is %1, expected at most %2 pixels a side and %3 megapixels",
-                         {imageSizeText(width, height), kMaxImageSide, kMaxImagePixels / 1'000'000}));
+            fail(Message("messages", "the image size is %1, expected at most %2 pixels a side and %3 megapixels")
+                     .with(imageSizeText(width, height), kMaxImageSide, kMaxImagePixels / 1'000'000));
     };
     checkSize(spec_.width, spec_.height);
     checkSize(spec_.full_width, spec_.full_height);
-    if (spec_.depth > 1) fail(Message("messages", "it is a volume of depth %1, expected a flat image", {spec_.depth}));
+    if (spec_.depth > 1)
+        fail(Message("messages", "it is a volume of depth %1, expected a flat image").with(spec_.depth));
     if (spec_.deep && path_.empty())
         fail(Message("messages", "it is a deep image (several samples per pixel), expected a flat one"));
     if (spec_.nchannels < 1 || spec_.nchannels > kMaxChannels)
-        fail(Message("messages", "it has %1 channels, expected 1 to %2", {spec_.nchannels, kMaxChannels}));
+        fail(Message("messages", "it has %1 channels, expected 1 to %2").with(spec_.nchannels, kMaxChannels));
     const auto bytes = static_cast<std::size_t>(spec_.image_bytes(true));
     if (bytes > kAlwaysAcceptedBytes && bytes / kMaxCompression > fileSize_)
-        fail(Message("messages", "the header claims %1 pixels, but the file has only %2 bytes",
-                     {imageSizeText(spec_.width, spec_.height), fileSize_}));
+        fail(Message("messages", "the header claims %1 pixels, but the file has only %2 bytes")
+                 .with(imageSizeText(spec_.width, spec_.height), fileSize_));
 }
 
 int ImageReader::orientation() const {

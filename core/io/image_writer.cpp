@@ -50,14 +50,14 @@ Format formatOf(const std::string& path) {
     if (extension == ".hdr") return Format::Hdr;
     throw Error(ErrorKind::Usage,
                 Message("messages",
-                        "Cannot write \"%1\": the file name ends in \"%2\", expected .exr, .png, .tif, .jpg or .hdr.",
-                        {path, extension}));
+                        "Cannot write \"%1\": the file name ends in \"%2\", expected .exr, .png, .tif, .jpg or .hdr.")
+                    .with(path, extension));
 }
 
 [[noreturn]] void refuse(const std::string& path, const Message& content, const Message& expected) {
     throw Error(ErrorKind::Usage,
-                Message("messages", "Cannot write \"%1\": %2 cannot be stored in a %3 file, expected %4.",
-                        {path, content, extensionOf(path), expected}));
+                Message("messages", "Cannot write \"%1\": %2 cannot be stored in a %3 file, expected %4.")
+                    .with(path, content, extensionOf(path), expected));
 }
 
 OIIO::ImageSpec makeSpec(int width, int height, int channels, const OIIO::TypeDesc& type, Format format) {
@@ -108,7 +108,7 @@ void writeIntegers(const std::vector<std::uint16_t>& samples, int width, int hei
 void writeImage(const std::string& path, const char* format, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
                 const void* pixels) {
     const auto fail = [&](const Message& reason) {
-        throw Error(ErrorKind::Output, Message("messages", "Cannot write \"%1\": %2.", {path, reason}));
+        throw Error(ErrorKind::Output, Message("messages", "Cannot write \"%1\": %2.").with(path, reason));
     };
     const auto failAsReported = [&](std::string reason) {
         while (!reason.empty() && (reason.back() == '\n' || reason.back() == '.')) reason.pop_back();
@@ -120,7 +120,7 @@ void writeImage(const std::string& path, const char* format, const OIIO::ImageSp
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);  // outlives the output, whose destructor still asks it where it is
     const auto output = OIIO::ImageOutput::create(format);
-    if (!output) fail(Message("messages", "this build of OpenImageIO does not write %1 files", {format}));
+    if (!output) fail(Message("messages", "this build of OpenImageIO does not write %1 files").with(format));
     // Into memory first: on a full disk the PNG writer says nothing and the JPEG writer ends the program. TIFF reports
     // its errors, and what OpenImageIO 2.4 writes to memory is damaged.
     const bool inMemory =

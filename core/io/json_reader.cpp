@@ -23,8 +23,8 @@ std::string excerpt(const json& value) {
 
 Message rangeText(double min, double max) {
     const bool unlimited = max >= static_cast<double>(std::numeric_limits<float>::max());
-    return unlimited ? Message("messages", "a number of at least %1", {min})
-                     : Message("messages", "a number in [%1, %2]", {min, max});
+    return unlimited ? Message("messages", "a number of at least %1").with(min)
+                     : Message("messages", "a number in [%1, %2]").with(min, max);
 }
 
 }  // namespace
@@ -39,14 +39,14 @@ JsonReader::JsonReader(const json& value, std::string place, ErrorKind kind)
     : object_(&value), place_(std::move(place)), kind_(kind) {
     if (value.is_object()) return;
     if (place_.empty())
-        throw Error(kind, Message("messages", "The value is %1, expected an object {...}.", {excerpt(value)}));
-    throw Error(kind, Message("messages", "\"%1\" is %2, expected an object {...}.", {place_, excerpt(value)}));
+        throw Error(kind, Message("messages", "The value is %1, expected an object {...}.").with(excerpt(value)));
+    throw Error(kind, Message("messages", "\"%1\" is %2, expected an object {...}.").with(place_, excerpt(value)));
 }
 
 std::string JsonReader::place(const std::string& key) const { return place_.empty() ? key : place_ + "." + key; }
 
 void JsonReader::fail(const std::string& key, const Message& expected, const json& found) const {
-    fail(Message("messages", "\"%1\" is %2, expected %3.", {place(key), excerpt(found), expected}));
+    fail(Message("messages", "\"%1\" is %2, expected %3.").with(place(key), excerpt(found), expected));
 }
 
 void JsonReader::fail(const Message& sentence) const { throw Error(kind_, sentence); }
@@ -94,7 +94,7 @@ void JsonReader::read(const char* key, double& target, double min, double max) {
 void JsonReader::read(const char* key, int& target, int min, int max) {
     const json* value = find(key);
     if (value == nullptr) return;
-    const Message expected("messages", "a whole number from %1 to %2", {min, max});
+    const Message expected = Message("messages", "a whole number from %1 to %2").with(min, max);
     if (!value->is_number_integer()) fail(key, expected, *value);
     const bool tooLarge = value->is_number_unsigned() && value->get<std::uint64_t>() > static_cast<std::uint64_t>(max);
     if (tooLarge || value->get<std::int64_t>() < min || value->get<std::int64_t>() > max) fail(key, expected, *value);
@@ -105,7 +105,8 @@ void JsonReader::read(const char* key, std::uint32_t& target) {
     const json* value = find(key);
     if (value == nullptr) return;
     if (!value->is_number_unsigned() || value->get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
-        fail(key, Message("messages", "a whole number from %1 to %2", {0, std::numeric_limits<std::uint32_t>::max()}),
+        fail(key,
+             Message("messages", "a whole number from %1 to %2").with(0, std::numeric_limits<std::uint32_t>::max()),
              *value);
     target = value->get<std::uint32_t>();
 }
@@ -133,18 +134,18 @@ std::optional<std::size_t> JsonReader::readChoice(const char* key, const std::ve
         const auto found = std::ranges::find(words, value->get<std::string>());
         if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
     }
-    fail(key, Message("messages", "one of %1", {quotedList(words)}), *value);
+    fail(key, Message("messages", "one of %1").with(quotedList(words)), *value);
 }
 
 void JsonReader::require(const char* key) const {
-    if (!has(key)) fail(Message("messages", "The key \"%1\" is missing.", {place(key)}));
+    if (!has(key)) fail(Message("messages", "The key \"%1\" is missing.").with(place(key)));
 }
 
 void JsonReader::finish(const Message& hint) const {
     for (const auto& [key, value] : object_->items()) {
         if (known_.contains(key)) continue;
-        const Error error(kind_, Message("messages", "The key %1 is unknown, expected %2.",
-                                         {excerpt(json(place(key))), quotedList({known_.begin(), known_.end()})}));
+        const Error error(kind_, Message("messages", "The key %1 is unknown, expected %2.")
+                                     .with(excerpt(json(place(key))), quotedList({known_.begin(), known_.end()})));
         throw hint.empty() ? error : error.withContext(hint);
     }
 }
@@ -166,11 +167,11 @@ json parseJson(std::string_view text, ErrorKind kind) {
     Message problem;
     const auto check = [&](int depth, json::parse_event_t event, json& parsed) {
         if (depth > kMaxNesting)
-            problem = Message("messages", "The JSON text is nested deeper than %1.", {kMaxNesting});
+            problem = Message("messages", "The JSON text is nested deeper than %1.").with(kMaxNesting);
         if (event == json::parse_event_t::object_start) open.emplace_back();
         if (event == json::parse_event_t::object_end && !open.empty()) open.pop_back();
         if (event == json::parse_event_t::key && !open.empty() && !open.back().insert(parsed.get<std::string>()).second)
-            problem = Message("messages", "The key \"%1\" occurs twice.", {parsed.get<std::string>()});
+            problem = Message("messages", "The key \"%1\" occurs twice.").with(parsed.get<std::string>());
         if (!problem.empty()) throw Error(kind, problem);
         return true;
     };
@@ -181,7 +182,7 @@ json parseJson(std::string_view text, ErrorKind kind) {
         if (const std::size_t at = reason.find("] "); at != std::string::npos) reason = reason.substr(at + 2);
         std::replace_if(
             reason.begin(), reason.end(), [](unsigned char c) { return c < 32; }, ' ');
-        throw Error(kind, Message("messages", "The JSON text is damaged: %1.", {reason}));
+        throw Error(kind, Message("messages", "The JSON text is damaged: %1.").with(reason));
     }
 }
 

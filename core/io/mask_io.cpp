@@ -24,8 +24,8 @@ std::shared_ptr<const Mask> loadMask(const std::string& path) {
             if (!std::isfinite(v))
                 throw Error(
                     ErrorKind::Input,
-                    Message("messages", "The mask \"%1\" has no number at (%2, %3), expected values from 0 to 1.",
-                            {path, x, y}));
+                    Message("messages", "The mask \"%1\" has no number at (%2, %3), expected values from 0 to 1.")
+                        .with(path, x, y));
             v *= scale;
         }
     auto mask = std::make_shared<Mask>(values);

@@ -36,8 +36,8 @@ std::vector<std::string> brdfKeys() {
 Message parameterHint(const BrdfInfo& brdf) {
     std::vector<std::string> names;
     for (const ParamInfo& param : brdf.params) names.emplace_back(param.key);
-    if (names.empty()) return Message("messages", "The BRDF \"%1\" has no parameters of its own.", {brdf.key});
-    return Message("messages", "The BRDF \"%1\" has the parameters %2.", {brdf.key, quotedList(names)});
+    if (names.empty()) return Message("messages", "The BRDF \"%1\" has no parameters of its own.").with(brdf.key);
+    return Message("messages", "The BRDF \"%1\" has the parameters %2.").with(brdf.key, quotedList(names));
 }
 
 Translucency readTranslucency(const json& value, const std::string& place, ErrorKind kind) {
@@ -57,8 +57,8 @@ Translucency readTranslucency(const json& value, const std::string& place, Error
     if (int{preset} + int{coefficients} + int{diffuse} != 1)
         reader.fail(Message("messages",
                             "\"%1\" needs exactly one of: \"preset\"; \"sigma_a\" with \"sigma_s_prime\"; "
-                            "\"diffuse_color\" with \"mean_free_path_mm\".",
-                            {place}));
+                            "\"diffuse_color\" with \"mean_free_path_mm\".")
+                        .with(place));
     std::string name;
     reader.read("preset", name);
     Vector3f color(0, 0, 0);
@@ -81,8 +81,8 @@ Translucency readTranslucency(const json& value, const std::string& place, Error
         if (found == nullptr) {
             std::vector<std::string> names;
             for (const TranslucencyPreset& p : translucencyPresets()) names.emplace_back(p.key);
-            reader.fail(Message("messages", "\"%1\" is \"%2\", expected one of %3.",
-                                {reader.place("preset"), name, quotedList(names)}));
+            reader.fail(Message("messages", "\"%1\" is \"%2\", expected one of %3.")
+                            .with(reader.place("preset"), name, quotedList(names)));
         }
         const Translucency measured = toTranslucency(*found);
         result.preset = found->key;
@@ -149,7 +149,7 @@ Material readBrdf(JsonReader& reader, const json& edit, const std::string& folde
     Material material = fileMaterial(loadBrdfFileOrProblem(full, namedParameters(edit)));
     if (!usable(material))
         notes->push_back(
-            Message("messages", "\"%1\" is left out: %2", {reader.place("brdf"), material.brdfFile->problem}));
+            Message("messages", "\"%1\" is left out: %2").with(reader.place("brdf"), material.brdfFile->problem));
     return material;
 }
 
@@ -166,10 +166,11 @@ Material readMaterial(const json& value, const std::string& place, ErrorKind kin
     for (const Metal& metal : metals()) metalKeys.emplace_back(metal.key);
     if (const auto metal = reader.readChoice("metal", metalKeys)) {
         if (!brdf.usesSpecular)
-            reader.fail(Message("messages", "\"%1\" needs a BRDF with a Fresnel mode; \"%2\" has none.",
-                                {reader.place("metal"), brdf.key}));
+            reader.fail(Message("messages", "\"%1\" needs a BRDF with a Fresnel mode; \"%2\" has none.")
+                            .with(reader.place("metal"), brdf.key));
         if (reader.has("eta") || reader.has("k"))
-            reader.fail(Message("messages", "Give \"%1\", or \"eta\" and \"k\", not both.", {reader.place("metal")}));
+            reader.fail(
+                Message("messages", "Give \"%1\", or \"eta\" and \"k\", not both.").with(reader.place("metal")));
         setMetal(material, metals()[*metal]);
     }
     if (const json* specular = reader.find("specular")) {

@@ -59,9 +59,9 @@ Image<T> matchOrientation(Image<T> map, const std::string& path, const Message& 
     throw Error(ErrorKind::Input,
                 Message("messages",
                         "%1 size (%2) differs from colour image size (%3); expected the same size or a smaller image "
-                        "of the same shape.",
-                        {what, sizeText(map.width(), map.height()), sizeText(camera.width, camera.height)}))
-        .withContext(Message("messages", "While loading \"%1\" for \"%2\".", {path, colorPath}));
+                        "of the same shape.")
+                    .with(what, sizeText(map.width(), map.height()), sizeText(camera.width, camera.height)))
+        .withContext(Message("messages", "While loading \"%1\" for \"%2\".").with(path, colorPath));
 }
 
 /// Focal lengths of 0.01 to 1000 image sides, a principal point within 10 image sides.
@@ -96,40 +96,40 @@ Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, const st
             throw Error(ErrorKind::Usage,
                         Message("messages",
                                 "The intrinsics %1 do not fit the colour image \"%2\" of %3 pixels: expected focal "
-                                "lengths of 0.01 to 1000 image sides and a principal point within 10 image sides.",
-                                {intrinsicsText(camera), path, sizeText(w, h)}));
+                                "lengths of 0.01 to 1000 image sides and a principal point within 10 image sides.")
+                            .with(intrinsicsText(camera), path, sizeText(w, h)));
         return camera;
     }
     if (request.hfov) {
         if (!(*request.hfov > 0.001f && *request.hfov < 3.1f))
             throw Error(ErrorKind::Usage,
-                        Message("messages", "The horizontal field of view is %1 degrees, expected 0.1 to 177.",
-                                {std::to_string(*request.hfov * 180 / std::numbers::pi_v<float>)}));
+                        Message("messages", "The horizontal field of view is %1 degrees, expected 0.1 to 177.")
+                            .with(std::to_string(*request.hfov * 180 / std::numbers::pi_v<float>)));
         return Camera::fromHorizontalFov(w, h, *request.hfov);
     }
     if (stated) {
         if (isSensible(*stated)) {
             note(notes,
-                 Message("messages", "The intrinsics are taken from \"%1\": %2.", {path, intrinsicsText(*stated)}));
+                 Message("messages", "The intrinsics are taken from \"%1\": %2.").with(path, intrinsicsText(*stated)));
             return *stated;
         }
-        note(notes, Message("messages", "The intrinsics in \"%1\" are ignored, because they fit no camera: %2.",
-                            {path, intrinsicsText(*stated)}));
+        note(notes, Message("messages", "The intrinsics in \"%1\" are ignored, because they fit no camera: %2.")
+                        .with(path, intrinsicsText(*stated)));
     }
     if (info.focal35mm) {
         const double diagonal = std::hypot(w, h);
         const auto focal = static_cast<float>(static_cast<double>(*info.focal35mm) * diagonal / kFilmDiagonal);
         std::ostringstream text;
         text << *info.focal35mm;
-        note(notes, Message("messages", "The focal length is taken from \"%1\": %2 mm (35 mm equivalent).",
-                            {path, text.str()}));
+        note(notes, Message("messages", "The focal length is taken from \"%1\": %2 mm (35 mm equivalent).")
+                        .with(path, text.str()));
         return {w, h, focal, focal, 0.5f * static_cast<float>(w), 0.5f * static_cast<float>(h)};
     }
     note(notes,
          Message("messages",
                  "No focal length is given and \"%1\" does not state one: assuming a horizontal field of view of "
-                 "60 degrees.",
-                 {path})
+                 "60 degrees.")
+             .with(path)
              .about(Setting::FieldOfView));
     return Camera::fromHorizontalFov(w, h, static_cast<float>(kDefaultFovDegrees * std::numbers::pi / 180));
 }
@@ -137,8 +137,8 @@ Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, const st
 std::optional<double> requestedUnit(const PhotoRequest& request) {
     if (request.depthUnit && (!(*request.depthUnit > 0) || !std::isfinite(*request.depthUnit)))
         throw Error(ErrorKind::Usage,
-                    Message("messages", "The depth unit is %1, expected metres per stored unit, greater than 0.",
-                            {std::to_string(*request.depthUnit)}));
+                    Message("messages", "The depth unit is %1, expected metres per stored unit, greater than 0.")
+                        .with(std::to_string(*request.depthUnit)));
     return request.depthUnit;
 }
 
@@ -150,8 +150,8 @@ double chooseUnit(const PhotoRequest& request, const std::string& depthPath, con
     throw Error(ErrorKind::Usage,
                 Message("messages",
                         "The depth image \"%1\" stores %2-bit integers, whose unit cannot be guessed: give the metres "
-                        "per stored unit.",
-                        {depthPath, format.bits})
+                        "per stored unit.")
+                    .with(depthPath, format.bits)
                     .about(Setting::DepthUnit));
 }
 
@@ -169,8 +169,8 @@ void enlargeDepth(Photo& photo, const std::string& path, Notes* notes) {
     const int height = photo.depth.height();
     const Camera& camera = photo.camera;
     if (width == camera.width && height == camera.height) return;
-    note(notes, Message("messages", "The depth in \"%1\" (%2) is enlarged to the colour image (%3).",
-                        {path, sizeText(width, height), sizeText(camera.width, camera.height)}));
+    note(notes, Message("messages", "The depth in \"%1\" (%2) is enlarged to the colour image (%3).")
+                    .with(path, sizeText(width, height), sizeText(camera.width, camera.height)));
     photo.depth = upsampleDepth(photo.depth, camera.width, camera.height, &photo.color);
     photo.depthStep = std::max({1.0f, static_cast<float>(camera.width) / static_cast<float>(width),
                                 static_cast<float>(camera.height) / static_cast<float>(height)});
@@ -190,8 +190,8 @@ void noteImplausibleDepth(const ImageF& depth, const std::string& path, double u
          Message("messages",
                  "The median depth in \"%1\" is %2 m with a unit of %3 m, expected %4 to %5 m: the unit is "
                  "probably wrong. Give the metres per stored unit, 0.001 for millimetres and 1 for metres, or the "
-                 "right kind of depth.",
-                 {path, *middle, unit, kNearest, kFarthest})
+                 "right kind of depth.")
+             .with(path, *middle, unit, kNearest, kFarthest)
              .about(Setting::DepthUnitOrKind));
 }
 
@@ -222,8 +222,8 @@ std::optional<ImportedPhoto> importPhoto(const PhotoSource& source) {
 [[noreturn]] void refuseWithoutDepth(const std::string& path) {
     std::vector<Message> known;
     for (const ImportFormat* format : importFormats()) known.emplace_back("messages", format->name);
-    throw Error(ErrorKind::Input, Message("messages", "\"%1\" contains no depth map (%2), and no depth image is given.",
-                                          {path, listed(known)}));
+    throw Error(ErrorKind::Input, Message("messages", "\"%1\" contains no depth map (%2), and no depth image is given.")
+                                      .with(path, listed(known)));
 }
 
 /// Takes the depth from pixels that surfaces cover only in part (antialiased, moving or out of focus ones): it is a
@@ -250,8 +250,8 @@ ImageF importedDepth(const ImportedPhoto& imported, const PhotoRequest& request,
         if (source.depthKind != DepthKind::Z && source.depthKind != *imported.kind)
             throw Error(ErrorKind::Usage,
                         Message("messages",
-                                "The depth kind is \"%1\", but the file says that the depth inside \"%2\" is \"%3\".",
-                                {depthKindKey(source.depthKind), source.color, depthKindKey(*imported.kind)}));
+                                "The depth kind is \"%1\", but the file says that the depth inside \"%2\" is \"%3\".")
+                            .with(depthKindKey(source.depthKind), source.color, depthKindKey(*imported.kind)));
         source.depthKind = *imported.kind;
     }
     const auto given = requestedUnit(request);
@@ -268,8 +268,8 @@ void requireValidDepth(const ImageF& depth, const std::string& path) {
     throw Error(ErrorKind::Input,
                 Message("messages",
                         "Depth image \"%1\" has no valid pixel: every value is zero, negative, not a number or beyond "
-                        "%2 m.",
-                        {path, static_cast<int>(kMaxDepth)}));
+                        "%2 m.")
+                    .with(path, static_cast<int>(kMaxDepth)));
 }
 
 }  // namespace
@@ -347,8 +347,8 @@ std::shared_ptr<const ImageRgb> loadEnvironment(const std::string& path) {
         throw Error(
             ErrorKind::Input,
             Message("messages",
-                    "Environment \"%1\" has %2 pixels, expected a latitude-longitude map, twice as wide as high.",
-                    {path, sizeText(image->width(), image->height())}));
+                    "Environment \"%1\" has %2 pixels, expected a latitude-longitude map, twice as wide as high.")
+                .with(path, sizeText(image->width(), image->height())));
     return image;
 }
 

@@ -35,7 +35,7 @@ Message knownLabels(const Scene& scene) {
         text += (text.empty() ? "" : ", ") + std::to_string(segment.label);
         if (segment.name != "segment " + std::to_string(segment.label)) text += " (" + segment.name + ")";
     }
-    return text.empty() ? Message("messages", "it has no segments") : Message("messages", "it has %1", {text});
+    return text.empty() ? Message("messages", "it has no segments") : Message("messages", "it has %1").with(text);
 }
 
 /// Resolves the paths of a project file, which are relative to its folder.
@@ -92,7 +92,7 @@ Segment readSegment(const json& value, const std::string& place, MaskLoader& mas
     segment.name = "segment " + std::to_string(label);
     reader.read("name", segment.name);
     if (segment.name.empty())
-        reader.fail(Message("messages", "\"%1\" is empty, expected a name.", {reader.place("name")}));
+        reader.fail(Message("messages", "\"%1\" is empty, expected a name.").with(reader.place("name")));
     reader.read("glossy", segment.glossy);
     if (const json* backSide = reader.find("back_side")) {
         JsonReader back(*backSide, reader.place("back_side"), ErrorKind::Input);
@@ -124,7 +124,8 @@ Segment readSegment(const json& value, const std::string& place, MaskLoader& mas
 
 void readSegments(const json& list, const std::string& folder, Scene& scene, Notes* notes) {
     MaskLoader masks(folder);
-    if (!list.is_array()) throw Error(ErrorKind::Input, Message("messages", "\"%1\" is no list [...].", {"segments"}));
+    if (!list.is_array())
+        throw Error(ErrorKind::Input, Message("messages", "\"%1\" is no list [...].").with("segments"));
     std::set<std::uint16_t> labels;
     std::set<std::string> names;
     std::set<std::uint16_t> present;
@@ -135,15 +136,15 @@ void readSegments(const json& list, const std::string& folder, Scene& scene, Not
         Segment segment = readSegment(list[i], place, masks, folder, notes);
         if (!present.contains(segment.label))
             throw Error(ErrorKind::Input,
-                        Message("messages", "\"%1.label\" is %2, but the label map \"%3\" has no such label.",
-                                {place, segment.label, scene.photo->source.segments}));
+                        Message("messages", "\"%1.label\" is %2, but the label map \"%3\" has no such label.")
+                            .with(place, segment.label, scene.photo->source.segments));
         if (!labels.insert(segment.label).second)
-            throw Error(ErrorKind::Input, Message("messages", "\"%1.label\" is %2, which another segment has already.",
-                                                  {place, segment.label}));
+            throw Error(ErrorKind::Input, Message("messages", "\"%1.label\" is %2, which another segment has already.")
+                                              .with(place, segment.label));
         if (!names.insert(segment.name).second)
             throw Error(ErrorKind::Input,
-                        Message("messages", "\"%1.name\" is \"%2\", which another segment has already.",
-                                {place, segment.name}));
+                        Message("messages", "\"%1.name\" is \"%2\", which another segment has already.")
+                            .with(place, segment.name));
         scene.segments.push_back(std::move(segment));
     }
 }
@@ -197,8 +198,8 @@ Scene readProject(const std::string& path, Notes* notes) {
     int version = 0;
     reader.read("version", version, 1, std::numeric_limits<int>::max());
     if (version > kVersion)
-        reader.fail(Message("messages", "The project has version %1, this program reads up to version %2.",
-                            {version, kVersion}));
+        reader.fail(Message("messages", "The project has version %1, this program reads up to version %2.")
+                        .with(version, kVersion));
     const PathReader paths(path);
     reader.require("photo");
     const json* photo = reader.find("photo");
@@ -313,9 +314,9 @@ Scene createScene(const CreateOptions& options, Notes* notes) {
     for (const std::string& name : options.glossy) {
         Segment* segment = scene.findSegment(name);
         if (segment == nullptr)
-            throw Error(ErrorKind::Usage, Message("messages", "There is no segment \"%1\" in \"%2\": %3.",
-                                                  {name, options.segments.empty() ? options.color : options.segments,
-                                                   knownLabels(scene)}));
+            throw Error(ErrorKind::Usage, Message("messages", "There is no segment \"%1\" in \"%2\": %3.")
+                                              .with(name, options.segments.empty() ? options.color : options.segments,
+                                                    knownLabels(scene)));
         segment->glossy = true;
     }
     return scene;
@@ -326,7 +327,7 @@ Scene loadProject(const std::string& path, Notes* notes) {
         return readProject(path, notes);
     } catch (const Error& error) {
         const ErrorKind kind = error.kind() == ErrorKind::Usage ? ErrorKind::Input : error.kind();
-        throw error.as(kind).withContext(Message("messages", "While loading \"%1\".", {path}));
+        throw error.as(kind).withContext(Message("messages", "While loading \"%1\".").with(path));
     }
 }
 
@@ -340,7 +341,7 @@ void saveProject(const Scene& scene, const std::string& path) {
     } catch (const json::exception&) {
         throw Error(
             ErrorKind::Output,
-            Message("messages", "Cannot write \"%1\": a file or segment name in it is not valid UTF-8.", {path}));
+            Message("messages", "Cannot write \"%1\": a file or segment name in it is not valid UTF-8.").with(path));
     }
 }
 

@@ -63,7 +63,7 @@ kernel::BrdfParams toKernel(const Material& material, const Vector3f& estimatedS
         std::vector<Message> known;
         for (const BrdfInfo& other : kBrdfs) known.emplace_back(other.key);
         throw Error(ErrorKind::Usage,
-                    Message("messages", "There is no BRDF \"%1\"; known are: %2.", {material.brdf, listed(known)}));
+                    Message("messages", "There is no BRDF \"%1\"; known are: %2.").with(material.brdf, listed(known)));
     }
     kernel::BrdfParams b;
     b.albedo = toVec4(material.albedo);

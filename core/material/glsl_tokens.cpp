@@ -68,7 +68,7 @@ class Tokenizer {
 
     void token() {
         if (result_.tokens.size() == kMaxGlslTokens)
-            refuse(Message("messages", "The text is too long: more than %1 words and signs.", {kMaxGlslTokens}));
+            refuse(Message("messages", "The text is too long: more than %1 words and signs.").with(kMaxGlslTokens));
         const char c = text_[at_];
         const char next = at_ + 1 < text_.size() ? text_[at_ + 1] : ' ';
         GlslToken token{.text = {}, .line = line_, .kind = GlslToken::Kind::Sign};
@@ -91,7 +91,7 @@ class Tokenizer {
         std::size_t end = at_;
         while (end < text_.size() && (isNameStart(text_[end]) || isDigit(text_[end]))) ++end;
         if (end - at_ > kMaxGlslName)
-            refuse(Message("messages", "A name has more than %1 characters.", {kMaxGlslName}));
+            refuse(Message("messages", "A name has more than %1 characters.").with(kMaxGlslName));
         return end - at_;
     }
 
@@ -106,8 +106,8 @@ class Tokenizer {
             ++end;
         const std::string_view number = text_.substr(at_, end - at_);
         if (number.size() > kMaxGlslName || number.find_first_of("lLhH_") != std::string_view::npos)
-            refuse(
-                Message("messages", "\"%1\" is no int, uint or float.", {std::string(number.substr(0, kMaxGlslName))}));
+            refuse(Message("messages", "\"%1\" is no int, uint or float.")
+                       .with(std::string(number.substr(0, kMaxGlslName))));
         return end - at_;
     }
 
@@ -121,7 +121,7 @@ class Tokenizer {
                            "Lines with # are not allowed here: no #include, #define, #extension or #version."));
         if (c == '%') refuse(Message("messages", "There is no % here; mod(x, y) does it for floats."));
         if (std::string_view("+-*/<>=!&|^~?:;,.(){}[]").find(c) == std::string_view::npos)
-            refuse(c > ' ' && c < 127 ? Message("messages", "The sign %1 is not allowed here.", {std::string(1, c)})
+            refuse(c > ' ' && c < 127 ? Message("messages", "The sign %1 is not allowed here.").with(std::string(1, c))
                                       : Message("messages", "There is a character here that is not GLSL."));
         for (const std::string_view sign : kSigns)
             if (text_.substr(at_, sign.size()) == sign) return sign.size();
@@ -152,19 +152,20 @@ void checkShape(const std::string& path, const std::vector<GlslToken>& tokens) {
         } else if (t.is(")") || t.is("}") || t.is("]")) {
             const char* expected = t.is(")") ? "(" : t.is("}") ? "{" : "[";
             if (open.empty() || !open.back()->is(expected))
-                refuseGlsl(path, t.line, Message("messages", "There is no bracket that this \"%1\" closes.", {t.text}));
+                refuseGlsl(path, t.line,
+                           Message("messages", "There is no bracket that this \"%1\" closes.").with(t.text));
             open.pop_back();
         }
         if (t.is(";") || t.is("{") || t.is("}")) statement = 0;
     }
     if (!open.empty())
-        refuseGlsl(path, open.back()->line, Message("messages", "This \"%1\" is not closed.", {open.back()->text}));
+        refuseGlsl(path, open.back()->line, Message("messages", "This \"%1\" is not closed.").with(open.back()->text));
 }
 
 }  // namespace
 
 void refuseGlsl(const std::string& path, int line, const Message& reason) {
-    throw Error(ErrorKind::Input, Message("messages", "%1:%2: %3", {path, line, reason}));
+    throw Error(ErrorKind::Input, Message("messages", "%1:%2: %3").with(path, line, reason));
 }
 
 GlslText tokenizeGlsl(const std::string& path, std::string_view text) {

@@ -94,18 +94,20 @@ void tabulateSampling(std::vector<float>& table, std::uint32_t row) {
 
 std::shared_ptr<const MeasuredBrdf> loadMeasuredBrdf(const std::string& path) {
     const std::size_t size = checkedFileSize(path);
-    const Message expected(
-        "messages", "expected a measured BRDF in MERL's binary format: dimensions 90, 90, 180, then %1 bytes of values",
-        {kFileBytes - sizeof(kDimensions)});
+    const Message expected =
+        Message("messages",
+                "expected a measured BRDF in MERL's binary format: dimensions 90, 90, 180, then %1 bytes of values")
+            .with(kFileBytes - sizeof(kDimensions));
     if (size != kFileBytes)
-        throw Error(ErrorKind::Input, Message("messages", "\"%1\" has %2 bytes, %3, %4 bytes in all.",
-                                              {path, size, expected, kFileBytes}));
+        throw Error(
+            ErrorKind::Input,
+            Message("messages", "\"%1\" has %2 bytes, %3, %4 bytes in all.").with(path, size, expected, kFileBytes));
     const std::string bytes = readFile(path, kFileBytes);
     std::array<std::int32_t, 3> dimensions{};
     std::memcpy(dimensions.data(), bytes.data(), sizeof(dimensions));
     if (dimensions != kDimensions)
-        throw Error(ErrorKind::Input, Message("messages", "\"%1\" has the dimensions %2, %3, %4, %5.",
-                                              {path, dimensions[0], dimensions[1], dimensions[2], expected}));
+        throw Error(ErrorKind::Input, Message("messages", "\"%1\" has the dimensions %2, %3, %4, %5.")
+                                          .with(path, dimensions[0], dimensions[1], dimensions[2], expected));
     std::vector<float> table(kernel::kMeasuredSize);
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const char* plane = bytes.data() + sizeof(dimensions) + channel * kEntries * sizeof(double);
@@ -115,8 +117,8 @@ std::shared_ptr<const MeasuredBrdf> loadMeasuredBrdf(const std::string& path) {
             const auto f = static_cast<float>(value * kScale[channel]);
             if (!std::isfinite(f))
                 throw Error(ErrorKind::Input,
-                            Message("messages", "\"%1\": value %2 of the %3 plane is not a finite number; %4.",
-                                    {path, i, Message("messages", kPlanes.at(channel)), expected}));
+                            Message("messages", "\"%1\": value %2 of the %3 plane is not a finite number; %4.")
+                                .with(path, i, Message("messages", kPlanes.at(channel)), expected));
             table[kMeasuredValues + 3 * i + channel] = std::max(f, 0.0f);
         }
     }

@@ -170,7 +170,7 @@ class Reader {
         const std::vector<GlslToken>& tokens = text_.tokens;
         for (const GlslToken& t : tokens)
             if (t.isName() && t.text != "uniform" && kRefused.contains(t.text))
-                refuse(t.line, Message("messages", "\"%1\" is not allowed here.", {t.text}));
+                refuse(t.line, Message("messages", "\"%1\" is not allowed here.").with(t.text));
         std::size_t i = 0;
         while (i < tokens.size()) {
             if (tokens[i].is(";")) {
@@ -187,7 +187,7 @@ class Reader {
         const std::size_t end = readUserParam(text_, i, brdf_);
         const GlslToken& name = text_.tokens[i + 2];
         if (isFixed(name.text))
-            refuse(name.line, Message("messages", "\"%1\" is a name of GLSL or of the program.", {name.text}));
+            refuse(name.line, Message("messages", "\"%1\" is a name of GLSL or of the program.").with(name.text));
         return end;
     }
 
@@ -200,11 +200,11 @@ class Reader {
         if (name >= tokens.size() || !kTypes.contains(tokens[type].text) || !tokens[name].isName())
             refuse(tokens[i].line, Message("messages",
                                            "Expected a function, a constant (const float a = 1.0;) or a parameter "
-                                           "(uniform float a = 0.5;  // 0 to 1), found \"%1\".",
-                                           {tokens[i].text}));
+                                           "(uniform float a = 0.5;  // 0 to 1), found \"%1\".")
+                                       .with(tokens[i].text));
         if (isFixed(tokens[name].text))
             refuse(tokens[name].line,
-                   Message("messages", "\"%1\" is a name of GLSL or of the program.", {tokens[name].text}));
+                   Message("messages", "\"%1\" is a name of GLSL or of the program.").with(tokens[name].text));
         const bool function = name + 1 < tokens.size() && tokens[name + 1].is("(");
         if (!function && !constant)
             refuse(tokens[i].line, Message("messages", "Variables outside functions have to be const."));
@@ -229,7 +229,7 @@ class Reader {
             };
             if (name + 7 >= tokens.size() || !tokens[type].is(s.result) || !is(name + 2, s.first) ||
                 !is(name + 5, s.second) || !tokens[name + 4].is(",") || !tokens[name + 7].is(")"))
-                refuse(tokens[name].line, Message("messages", "This function has to be %1.", {written(s)}));
+                refuse(tokens[name].line, Message("messages", "This function has to be %1.").with(written(s)));
             brdf_.*s.line = tokens[name].line;
         }
     }
@@ -263,29 +263,29 @@ class Reader {
             if (t.is(")") || t.is("]")) --depth;
             const GlslToken& next = text_.tokens[i + 1];
             if (depth == 0 && t.is(",") && isFixed(next.text))
-                refuse(next.line, Message("messages", "\"%1\" is a name of GLSL or of the program.", {next.text}));
+                refuse(next.line, Message("messages", "\"%1\" is a name of GLSL or of the program.").with(next.text));
         }
     }
 
     void requireNeeded() const {
         for (const Signature& s : kNeeded)
             if (!functions_.contains(s.name))
-                refuse(1, Message("messages", "The file lacks the function %1.", {written(s)}));
+                refuse(1, Message("messages", "The file lacks the function %1.").with(written(s)));
     }
 
     std::size_t expandedSize(const std::string& name, std::map<std::string, std::size_t>& known, Names& open) const {
         if (const auto found = known.find(name); found != known.end()) return found->second;
         const Function& f = functions_.at(name);
         if (!open.insert(name).second)
-            refuse(f.line, Message("messages", "\"%1\" calls itself; GLSL has no recursion.", {name}));
+            refuse(f.line, Message("messages", "\"%1\" calls itself; GLSL has no recursion.").with(name));
         std::size_t size = f.tokens;
         for (const std::string& callee : f.calls) {
             if (functions_.contains(callee)) size += expandedSize(callee, known, open);
             if (kOffered.contains(callee)) size += kOfferedSize;
             if (size > kMaxUserBrdfExpanded)
                 refuse(f.line,
-                       Message("messages", "\"%1\" is too long with all that it calls: more than %2 words and signs.",
-                               {name, kMaxUserBrdfExpanded}));
+                       Message("messages", "\"%1\" is too long with all that it calls: more than %2 words and signs.")
+                           .with(name, kMaxUserBrdfExpanded));
         }
         open.erase(name);
         return known[name] = size;
@@ -306,7 +306,7 @@ class Reader {
             const bool isFor = kept_[i].is("for");
             if (!isFor && !kept_[i].is("while")) continue;
             if (!kept_[i + 1].is("("))
-                refuse(kept_[i].line, Message("messages", "\"%1\" needs a condition in ( ).", {kept_[i].text}));
+                refuse(kept_[i].line, Message("messages", "\"%1\" needs a condition in ( ).").with(kept_[i].text));
             const std::size_t end = closing(i + 1);
             std::size_t first = i + 2;
             std::size_t last = end;
@@ -348,8 +348,8 @@ class Reader {
                     code == std::errc() && last == text.data() + text.size() && (text == "0" || text[0] != '0');
                 if (!whole || size > kMaxUserBrdfElements)
                     refuse(line,
-                           Message("messages", "\"%1\" is too large for an array, or no number; expected at most %2.",
-                                   {text, kMaxUserBrdfElements}));
+                           Message("messages", "\"%1\" is too large for an array, or no number; expected at most %2.")
+                               .with(text, kMaxUserBrdfElements));
                 if ((sum += size) > kMaxUserBrdfElementSum)
                     refuse(line, Message("messages", "There are too many large arrays."));
                 continue;
@@ -374,7 +374,7 @@ class Reader {
             for (; line < t.line; ++line) brdf_.code += '\n';
             const bool member = i > 0 && kept_[i - 1].is(".");
             if (member && !isSwizzle(t.text) && !t.is("length"))
-                refuse(t.line, Message("messages", "There is no field \"%1\".", {t.text}));
+                refuse(t.line, Message("messages", "There is no field \"%1\".").with(t.text));
             brdf_.code += before_[i] + (t.isName() && !member ? renamed(t.text) : t.text) + " " + after_[i];
             if (t.is("fresnel") && !member) {
                 if (!brdf_.usesSpecular)

@@ -19,9 +19,9 @@ void requireMasksFit(const Scene& scene, ErrorKind kind) {
             throw Error(
                 kind,
                 Message("messages",
-                        "The mask \"%1\" of \"%2\" in segment \"%3\" is %4, expected the photograph's size %5.",
-                        {drive.mask->path(), drive.parameter, segment.name,
-                         size(drive.mask->width(), drive.mask->height()), size(labels.width(), labels.height())}));
+                        "The mask \"%1\" of \"%2\" in segment \"%3\" is %4, expected the photograph's size %5.")
+                    .with(drive.mask->path(), drive.parameter, segment.name,
+                          size(drive.mask->width(), drive.mask->height()), size(labels.width(), labels.height())));
         }
     }
 }
@@ -45,8 +45,8 @@ Notes maskNotes(const Scene& scene) {
             notes.push_back(
                 Message("messages",
                         "The mask \"%1\" is %2 everywhere in the segment \"%3\", so \"%4\" does not vary "
-                        "there. Is it the mask of another segment?",
-                        {drive.mask->path(), std::to_string(least).substr(0, 5), segment.name, drive.parameter}));
+                        "there. Is it the mask of another segment?")
+                    .with(drive.mask->path(), std::to_string(least).substr(0, 5), segment.name, drive.parameter));
         }
     }
     return notes;

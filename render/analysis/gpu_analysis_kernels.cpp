@@ -64,8 +64,8 @@ struct GpuAnalysisKernels::Impl {
                 return onDevice();
             } catch (const gpu::Error& error) {
                 failed = error.kind() != gpu::ErrorKind::OutOfMemory;
-                core::Message note("messages", "%1 was done on the CPU, because the device fails: %2",
-                                   {core::Message("messages", what), error.what()});
+                core::Message note = core::Message("messages", "%1 was done on the CPU, because the device fails: %2")
+                                         .with(core::Message("messages", what), error.what());
                 if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
             }
         }

@@ -257,9 +257,9 @@ Step backSideStep() {
         if (board.scene->backDepth && !board.scene->backDepth->sameSize(photo.depth))
             throw Error(
                 ErrorKind::Input,
-                Message("messages", "The back-side depth \"%1\" has %2x%3 pixels, but the photograph has %4x%5.",
-                        {board.scene->backDepthPath, board.scene->backDepth->width(), board.scene->backDepth->height(),
-                         photo.depth.width(), photo.depth.height()}));
+                Message("messages", "The back-side depth \"%1\" has %2x%3 pixels, but the photograph has %4x%5.")
+                    .with(board.scene->backDepthPath, board.scene->backDepth->width(), board.scene->backDepth->height(),
+                          photo.depth.width(), photo.depth.height()));
         board.back = std::make_shared<BackLayer>(inventBackSide(photo.camera, photo.labels, *board.front,
                                                                 board.scene->segments, board.scene->backDepth.get(),
                                                                 board.depth->relativeNoise, context));

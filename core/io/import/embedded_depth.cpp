@@ -20,23 +20,23 @@ Message numberText(const std::optional<double>& value) {
 EmbeddedImage embeddedImage(const ImportFile& file, const std::string& base64, const Message& what) {
     auto bytes = decodeBase64(base64);
     if (!bytes || bytes->empty())
-        file.fail(Message("messages", "%1 in its XMP is damaged, expected an image in base64", {what}));
-    return {std::move(*bytes), Message("messages", "%1 inside \"%2\"", {what, file.path()})};
+        file.fail(Message("messages", "%1 in its XMP is damaged, expected an image in base64").with(what));
+    return {std::move(*bytes), Message("messages", "%1 inside \"%2\"").with(what, file.path())};
 }
 
 ImageF decodeRange(const ImportFile& file, const EmbeddedImage& image, const DepthRange& range, int orientation) {
     const bool inverse = range.format == "RangeInverse";
     if (!inverse && range.format != "RangeLinear")
-        file.fail(Message("messages", "its depth has the format \"%1\", expected RangeInverse or RangeLinear",
-                          {range.format}));
+        file.fail(Message("messages", "its depth has the format \"%1\", expected RangeInverse or RangeLinear")
+                      .with(range.format));
     if (!range.near || !range.far || !std::isfinite(*range.near) || !std::isfinite(*range.far) || *range.near < 0 ||
         (inverse && *range.near == 0) || *range.far <= *range.near)
-        file.fail(Message("messages", "its depth goes from %1 (Near) to %2 (Far), expected 0 < Near < Far",
-                          {numberText(range.near), numberText(range.far)}));
+        file.fail(Message("messages", "its depth goes from %1 (Near) to %2 (Far), expected 0 < Near < Far")
+                      .with(numberText(range.near), numberText(range.far)));
     const ImageInfo info = readImageInfo(image);
     if (info.format.floating || info.format.bits > 16)
-        file.fail(
-            Message("messages", "its depth map has %1-bit values, expected 8 or 16-bit integers", {info.format.bits}));
+        file.fail(Message("messages", "its depth map has %1-bit values, expected 8 or 16-bit integers")
+                      .with(info.format.bits));
     const double most = std::exp2(info.format.bits) - 1;
     ImageF depth = loadScalar(image);
     for (float& value : depth.pixels()) {

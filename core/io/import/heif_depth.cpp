@@ -140,8 +140,8 @@ class HeifReader {
         const int width = heif_image_handle_get_width(&handle);
         const int height = heif_image_handle_get_height(&handle);
         if (width < 1 || height < 1 || static_cast<long>(width) * static_cast<long>(height) > kMaxImagePixels)
-            file_.fail(Message("messages", "the image size is %1x%2, expected at most %3 pixels",
-                               {width, height, kMaxImagePixels}));
+            file_.fail(Message("messages", "the image size is %1x%2, expected at most %3 pixels")
+                           .with(width, height, kMaxImagePixels));
         const Owned<heif_decoding_options> options(heif_decoding_options_alloc());
         options->ignore_transformations = turned ? 0 : 1;
         heif_image* image = nullptr;
@@ -197,8 +197,8 @@ class HeifReader {
             file_.fail(
                 Message("messages",
                         "its colours have the primaries %1 and the transfer function %2 of ITU-T H.273 (16 is PQ, 18 "
-                        "is HLG), expected sRGB, a gamma, Rec.709, Rec.2020, linear light or an ICC profile",
-                        {static_cast<int>(nclx->color_primaries), static_cast<int>(nclx->transfer_characteristics)}));
+                        "is HLG), expected sRGB, a gamma, Rec.709, Rec.2020, linear light or an ICC profile")
+                    .with(static_cast<int>(nclx->color_primaries), static_cast<int>(nclx->transfer_characteristics)));
         }
         decodeSrgb(color.pixels());
     }

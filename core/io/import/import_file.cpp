@@ -20,7 +20,7 @@ const std::string& ImportFile::bytes() const {
 }
 
 void ImportFile::fail(const Message& reason) const {
-    throw Error(ErrorKind::Input, Message("messages", "Cannot read \"%1\": %2.", {path_, reason}));
+    throw Error(ErrorKind::Input, Message("messages", "Cannot read \"%1\": %2.").with(path_, reason));
 }
 
 }  // namespace core

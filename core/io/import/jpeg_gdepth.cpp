@@ -51,8 +51,8 @@ ImportedPhoto readGdepth(const ImportFile& file) {
         photo.assumedUnit =
             Message("messages",
                     "The depth inside \"%1\" has no unit: 1 is taken as a metre. Give the metres per unit "
-                    "to set the true scale.",
-                    {file.path()})
+                    "to set the true scale.")
+                .with(file.path())
                 .about(Setting::DepthUnit);
     return photo;
 }

@@ -69,8 +69,9 @@ ImportedPhoto readMpf(const ImportFile& file) {
         outside = outside || picture.empty();
         const auto apple = readAppleDepth(file, readJpegXmp(picture));
         if (!apple) continue;
-        const EmbeddedImage image{std::string(picture), Message("messages", "%1 inside \"%2\"",
-                                                                {Message("messages", "the depth map"), file.path()})};
+        const EmbeddedImage image{
+            std::string(picture),
+            Message("messages", "%1 inside \"%2\"").with(Message("messages", "the depth map"), file.path())};
         const int own = readImageInfo(image).orientation;
         setAppleDepth(photo, file, *apple, applyOrientation(loadScalar(image), own == 1 ? info.orientation : 1),
                       info.orientation);

@@ -36,8 +36,8 @@ std::string join(const Extension& extension, Message& damage) {
         there += part.size();
     }
     if (gap || there != extension.size) {
-        damage = Message("messages", "its extended XMP is incomplete: expected %1 bytes in successive parts, found %2",
-                         {extension.size, there});
+        damage = Message("messages", "its extended XMP is incomplete: expected %1 bytes in successive parts, found %2")
+                     .with(extension.size, there);
         return {};
     }
     std::string text;

@@ -71,12 +71,12 @@ ImportedPhoto readXdm(const ImportFile& file) {
                 (millimetres
                      ? Message("messages",
                                "The depth inside \"%1\" has no metric unit: 1 is taken as a millimetre. Give the "
-                               "metres per unit to set another scale.",
-                               {file.path()})
+                               "metres per unit to set another scale.")
+                           .with(file.path())
                      : Message("messages",
                                "The depth inside \"%1\" has no metric unit: 1 is taken as a metre. Give the "
-                               "metres per unit to set another scale.",
-                               {file.path()}))
+                               "metres per unit to set another scale.")
+                           .with(file.path()))
                     .about(Setting::DepthUnit);
         }
         const bool transposed = info.orientation >= 5;

@@ -21,8 +21,8 @@ bool recognisesPcd(const ImportFile& file) {
 const PcdField& requireReal(const ImportFile& file, const PcdHeader& header, const char* name) {
     const PcdField* field = header.find(name);
     if (field == nullptr || field->type != 'F' || field->size < 4)
-        file.fail(
-            Message("messages", "the point cloud has no field \"%1\" of type F and size 4 or 8", {std::string(name)}));
+        file.fail(Message("messages", "the point cloud has no field \"%1\" of type F and size 4 or 8")
+                      .with(std::string(name)));
     return *field;
 }
 
@@ -69,7 +69,7 @@ Camera fitCamera(const ImportFile& file, const PcdPoints& points, const PcdField
         }
     if (valid < kMinimalPoints)
         file.fail(
-            Message("messages", "only %1 points have x, y and z > 0, expected %2 or more", {valid, kMinimalPoints}));
+            Message("messages", "only %1 points have x, y and z > 0, expected %2 or more").with(valid, kMinimalPoints));
     const Camera camera{depth.width(),
                         depth.height(),
                         static_cast<float>(horizontal.focal()),
@@ -81,8 +81,8 @@ Camera fitCamera(const ImportFile& file, const PcdPoints& points, const PcdField
         file.fail(
             Message("messages",
                     "its raster is not what a pin-hole camera sees (fx=%1, fy=%2, off by %3 pixels), expected x to "
-                    "the right, y downwards, z forward",
-                    {camera.fx, camera.fy, residual}));
+                    "the right, y downwards, z forward")
+                .with(camera.fx, camera.fy, residual));
     }
     return camera;
 }

@@ -38,7 +38,7 @@ class HeaderReader {
             if (!(line >> key) || key.starts_with("#")) continue;
             std::vector<std::string> words;
             for (std::string word; line >> word;) words.push_back(word);
-            if (words.size() > kMaxFields) fail(key, Message("messages", "has %1 values", {words.size()}));
+            if (words.size() > kMaxFields) fail(key, Message("messages", "has %1 values").with(words.size()));
             if (words.empty()) fail(key, Message("messages", "has no value"));
             if (key == "FIELDS")
                 for (const std::string& word : words) header.fields.emplace_back().name = word;
@@ -62,19 +62,19 @@ class HeaderReader {
         if (header.height < 2)
             file_.fail(
                 Message("messages",
-                        "the point cloud has WIDTH %1 and HEIGHT %2, expected a raster of points (HEIGHT of 2 or more)",
-                        {header.width, header.height}));
+                        "the point cloud has WIDTH %1 and HEIGHT %2, expected a raster of points (HEIGHT of 2 or more)")
+                    .with(header.width, header.height));
         if (static_cast<long>(header.points()) > kMaxImagePixels)
-            file_.fail(Message("messages", "the point cloud has %1x%2 points, expected at most %3",
-                               {header.width, header.height, kMaxImagePixels}));
+            file_.fail(Message("messages", "the point cloud has %1x%2 points, expected at most %3")
+                           .with(header.width, header.height, kMaxImagePixels));
         if (points != -1 && points != static_cast<long>(header.points()))
-            fail("POINTS", Message("messages", "is %1, expected WIDTH times HEIGHT, %2", {points, header.points()}));
+            fail("POINTS", Message("messages", "is %1, expected WIDTH times HEIGHT, %2").with(points, header.points()));
         return header;
     }
 
   private:
     [[noreturn]] void fail(const std::string& key, const Message& reason) const {
-        file_.fail(Message("messages", "the PCD header's %1 %2", {key, reason}));
+        file_.fail(Message("messages", "the PCD header's %1 %2").with(key, reason));
     }
 
     [[nodiscard]] std::vector<long> numbers(const std::string& key, const std::vector<std::string>& words) const {
@@ -83,7 +83,7 @@ class HeaderReader {
             long value = 0;
             const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
             if (error != std::errc() || end != word.data() + word.size())
-                fail(key, Message("messages", "is \"%1\", expected a whole number", {word}));
+                fail(key, Message("messages", "is \"%1\", expected a whole number").with(word));
             result.push_back(value);
         }
         return result;
@@ -92,7 +92,7 @@ class HeaderReader {
     [[nodiscard]] int side(const std::string& key, const std::vector<std::string>& words) const {
         const long value = numbers(key, words)[0];
         if (value < 1 || value > kMaxImageSide)
-            fail(key, Message("messages", "is %1, expected 1 to %2", {value, kMaxImageSide}));
+            fail(key, Message("messages", "is %1, expected 1 to %2").with(value, kMaxImageSide));
         return static_cast<int>(value);
     }
 
@@ -100,17 +100,17 @@ class HeaderReader {
                         const std::vector<long>& counts) const {
         const std::size_t n = header.fields.size();
         if (n == 0 || sizes.size() != n || types.size() != n || counts.size() != n)
-            file_.fail(Message(
-                "messages",
-                "the PCD header's FIELDS, SIZE, TYPE and COUNT have %1, %2, %3 and %4 values, expected the same number",
-                {n, sizes.size(), types.size(), counts.size()}));
+            file_.fail(Message("messages",
+                               "the PCD header's FIELDS, SIZE, TYPE and COUNT have %1, %2, %3 and %4 values, expected "
+                               "the same number")
+                           .with(n, sizes.size(), types.size(), counts.size()));
         for (std::size_t i = 0; i < n; ++i) {
             if (sizes[i] != 1 && sizes[i] != 2 && sizes[i] != 4 && sizes[i] != 8)
-                fail("SIZE", Message("messages", "has the value %1, expected 1, 2, 4 or 8", {sizes[i]}));
+                fail("SIZE", Message("messages", "has the value %1, expected 1, 2, 4 or 8").with(sizes[i]));
             if (counts[i] < 1 || counts[i] > static_cast<long>(kMaxValues))
-                fail("COUNT", Message("messages", "has the value %1, expected 1 to %2", {counts[i], kMaxValues}));
+                fail("COUNT", Message("messages", "has the value %1, expected 1 to %2").with(counts[i], kMaxValues));
             if (types[i] != 'F' && types[i] != 'I' && types[i] != 'U')
-                fail("TYPE", Message("messages", "has the value \"%1\", expected F, I or U", {types.substr(i, 1)}));
+                fail("TYPE", Message("messages", "has the value \"%1\", expected F, I or U").with(types.substr(i, 1)));
             PcdField& field = header.fields[i];
             field.type = types[i];
             field.size = static_cast<std::size_t>(sizes[i]);
@@ -157,15 +157,15 @@ PcdPoints::PcdPoints(const ImportFile& file) : file_(file), header_(HeaderReader
     else if (header_.data == "binary_compressed")
         decompress();
     else
-        file.fail(Message("messages", "the PCD header's DATA is \"%1\", expected ascii, binary or binary_compressed",
-                          {header_.data}));
+        file.fail(Message("messages", "the PCD header's DATA is \"%1\", expected ascii, binary or binary_compressed")
+                      .with(header_.data));
 }
 
 std::string_view PcdPoints::payload(std::size_t begin, std::size_t size) const {
     const std::string& bytes = file_.bytes();
     if (begin > bytes.size() || size > bytes.size() - begin)
-        file_.fail(Message("messages", "the file is truncated: its points take %1 bytes, %2 are there",
-                           {size, bytes.size() - std::min(begin, bytes.size())}));
+        file_.fail(Message("messages", "the file is truncated: its points take %1 bytes, %2 are there")
+                       .with(size, bytes.size() - std::min(begin, bytes.size())));
     return std::string_view(bytes).substr(begin, size);
 }
 
@@ -174,7 +174,7 @@ void PcdPoints::decompress() {
     std::memcpy(sizes, payload(header_.begin, sizeof sizes).data(), sizeof sizes);
     const std::size_t expected = header_.points() * header_.pointBytes;
     if (sizes[1] != expected)
-        file_.fail(Message("messages", "its points unpack to %1 bytes, expected %2", {sizes[1], expected}));
+        file_.fail(Message("messages", "its points unpack to %1 bytes, expected %2").with(sizes[1], expected));
     auto unpacked = lzfDecompress(payload(header_.begin + sizeof sizes, sizes[0]), expected);
     if (!unpacked) file_.fail(Message("messages", "its compressed points (LZF) are damaged"));
     bytes_ = std::move(*unpacked);
@@ -187,7 +187,7 @@ void PcdPoints::parseText() {
     std::size_t values = 0;
     for (const PcdField& field : header_.fields) values += field.count;
     if (header_.points() > (text.size() - header_.begin + 1) / 2 / values)
-        file_.fail(Message("messages", "the file is truncated: expected %1 lines of points", {header_.points()}));
+        file_.fail(Message("messages", "the file is truncated: expected %1 lines of points").with(header_.points()));
     bytes_.resize(header_.points() * header_.pointBytes);
     const char* at = text.data() + header_.begin;
     const char* const end = text.data() + text.size();
@@ -197,7 +197,7 @@ void PcdPoints::parseText() {
                 while (at != end && std::isspace(static_cast<unsigned char>(*at)) != 0) ++at;
                 at = parseValue(at, end, field, bytes_.data() + i * header_.pointBytes + field.offset + k * field.size);
                 if (at == nullptr)
-                    file_.fail(Message("messages", "point %1 has no value for the field \"%2\"", {i, field.name}));
+                    file_.fail(Message("messages", "point %1 has no value for the field \"%2\"").with(i, field.name));
             }
 }
 

@@ -94,7 +94,7 @@ Xmp::Xmp(const std::vector<std::string>& packets, Message* damage) {
         const pugi::xml_parse_result result = document->load_buffer(packet.data(), packet.size());
         if (!result) {
             if (damage != nullptr && damage->empty())
-                *damage = Message("messages", "its XMP is no well-formed XML: %1", {result.description()});
+                *damage = Message("messages", "its XMP is no well-formed XML: %1").with(result.description());
             continue;
         }
         const pugi::xml_node meta = findElement(*document, "adobe:ns:meta/", "xmpmeta");
