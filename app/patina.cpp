@@ -2,16 +2,15 @@
 // The window. `patina [FILE]`, see --help.
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QLibraryInfo>
 #include <QLocale>
 #include <QTimer>
-#include <QTranslator>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
 #include "ui/main_window.h"
 #include "ui/style.h"
+#include "ui/translations.h"
 
 namespace {
 
@@ -77,15 +76,7 @@ int main(int argc, char** argv) {
     }
     QApplication application(argc, argv);
     QApplication::setDesktopFileName(QStringLiteral("patina"));
-    QTranslator qtTranslator;
-    if (qtTranslator.load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"),
-                          QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
-        QCoreApplication::installTranslator(&qtTranslator);
-    }
-    QTranslator translator;
-    if (translator.load(QLocale(), QStringLiteral("patina"), QStringLiteral("_"), QStringLiteral(":/translations"))) {
-        QCoreApplication::installTranslator(&translator);
-    }
+    const auto translators = ui::installTranslators(QLocale());
     QCommandLineParser parser;
     describe(parser);
     parser.process(application);

@@ -99,7 +99,8 @@ class MainWindow : public QMainWindow {
     void endTask();
     /// Calls `proceed` at once, or after the user has decided what becomes of unsaved changes.
     void confirmDiscard(std::function<void()> proceed);
-    void openScene(const QString& title, std::function<core::Scene(core::Notes*)> load, const QString& path);
+    using LoadScene = std::function<core::Scene(core::Notes*, const core::Progress&)>;
+    void openScene(const QString& title, LoadScene load, const QString& path);
     void addRecent(const QString& path);
     void refreshRecent();
     void readSettings();

@@ -27,6 +27,8 @@ namespace {
 constexpr int kRecentCount = 10;
 const char* const kRecentKey = "recentFiles";
 constexpr int kNotesMilliseconds = 15000;
+/// Share of the time to open a file that reading takes; converting the picture for the canvas takes the rest.
+constexpr float kLoadedEnd = 0.95f;
 }  // namespace
 
 void MainWindow::runTask(const QString& title, BackgroundTask::Work work, std::function<void()> succeeded) {
@@ -103,18 +105,24 @@ void MainWindow::openFile(const QString& path) {
     confirmDiscard([this, path] {
         openScene(
             tr("Opening %1").arg(QFileInfo(path).fileName()),
-            [path](core::Notes* notes) { return core::loadProject(path.toStdString(), notes); }, path);
+            [path](core::Notes* notes, const core::Progress& progress) {
+                return core::loadProject(path.toStdString(), notes, progress);
+            },
+            path);
     });
 }
 
 void MainWindow::createFrom(const core::CreateOptions& options) {
     confirmDiscard([this, options] {
         openScene(tr("Loading %1").arg(QFileInfo(QString::fromStdString(options.color)).fileName()),
-                  [options](core::Notes* notes) { return core::createScene(options, notes); }, {});
+                  [options](core::Notes* notes, const core::Progress& progress) {
+                      return core::createScene(options, notes, progress);
+                  },
+                  {});
     });
 }
 
-void MainWindow::openScene(const QString& title, std::function<core::Scene(core::Notes*)> load, const QString& path) {
+void MainWindow::openScene(const QString& title, LoadScene load, const QString& path) {
     struct Loaded {
         core::Scene scene;
         core::Notes notes;
@@ -123,10 +131,10 @@ void MainWindow::openScene(const QString& title, std::function<core::Scene(core:
     auto loaded = std::make_shared<Loaded>();
     runTask(
         title,
-        [loaded, load = std::move(load)](const core::Progress& progress) {
-            progress.checkpoint(0);
-            loaded->scene = load(&loaded->notes);
-            progress.checkpoint(0.7f);
+        [loaded, load = std::move(load)](const core::Progress& whole) {
+            const core::Progress progress = whole.of(core::Task::LoadPhoto);
+            loaded->scene = load(&loaded->notes, progress.part(0, kLoadedEnd));
+            progress.checkpoint(kLoadedEnd);
             loaded->original = makeCanvasPicture({loaded->scene.photo->color, false});
             progress.checkpoint(1);
         },

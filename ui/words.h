@@ -10,14 +10,14 @@
 
 namespace ui {
 
-/// What the window calls a task, translated: "Recovering depth". From any thread.
+/// Translated name of a task: "Recovering depth". From any thread.
 [[nodiscard]] QString taskName(core::Task task);
 
-/// The message in the window's language, and where its setting is. From any thread, as the others.
+/// The message in the window's language, followed by where its setting is. From any thread.
 [[nodiscard]] QString translated(const core::Message& message);
-/// What went wrong; in the window's language as far as it is a core::Error.
+/// The error's message, in the window's language if it is a core::Error. From any thread.
 [[nodiscard]] QString translated(const std::exception& error);
-/// The sentences one after the other.
+/// All messages, separated by spaces. From any thread.
 [[nodiscard]] QString translated(std::span<const core::Message> notes);
 
 }  // namespace ui

@@ -8,10 +8,10 @@
 
 namespace cli {
 
-/// What the command line calls a task, "Recovering depth".
+/// English name of a task, "Recovering depth".
 [[nodiscard]] const char* taskName(core::Task task);
 
-/// The message in English, and the options that it is about.
+/// The message in English, followed by the options that it concerns.
 [[nodiscard]] std::string sentence(const core::Message& message);
 
 }  // namespace cli

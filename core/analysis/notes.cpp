@@ -22,7 +22,7 @@ std::string number(const char* format, double value) {
     return text.data();
 }
 
-/// What nothing glossy and nothing distant leaves unknown.
+/// The note for scenes in which nothing shows the light.
 Message unknownLight(bool glossy, bool mapLoaded) {
     if (glossy && mapLoaded)
         return Message("messages",

@@ -8,7 +8,7 @@
 
 namespace core {
 
-/// What went wrong, as far as a caller has to act on it; the command line's exit codes follow from it.
+/// Kind of failure, for callers that act on it; the command line derives its exit codes from it.
 enum class ErrorKind {
     Usage,      ///< the request itself is wrong (exit code 2)
     Input,      ///< a file or value from outside cannot be used (exit code 3)
@@ -23,7 +23,7 @@ class Error : public std::runtime_error {
     Error(ErrorKind kind, Message message);
 
     [[nodiscard]] ErrorKind kind() const { return kind_; }
-    /// What what() says in English.
+    /// The message, which what() has in English.
     [[nodiscard]] const Message& message() const { return *message_; }
     /// The same error with a sentence of context appended, for example `While loading "desk.patina".`
     [[nodiscard]] Error withContext(const Message& sentence) const;

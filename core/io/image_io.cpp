@@ -86,7 +86,7 @@ void decodeToLinear(ImageRgb& image, const OIIO::ImageSpec& spec) {
         decodeSrgb(image.pixels());
 }
 
-/// Of the picture, where values are not what they stand for.
+/// Numbers of pixels whose values are no radiance.
 struct ColorFaults {
     std::size_t notFinite = 0;
     std::size_t negative = 0;

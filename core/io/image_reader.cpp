@@ -52,7 +52,7 @@ std::string formatFromContent(std::string_view bytes) {
     return {};
 }
 
-/// What a library reports, as the end of a sentence.
+/// A library's report, trimmed to end a sentence.
 Message libraryReason(std::string text) {
     while (!text.empty() && (text.back() == '\n' || text.back() == '.' || text.back() == ' ')) text.pop_back();
     std::ranges::replace(text, '\n', ' ');
@@ -95,7 +95,7 @@ bool indexedPngToGrey(std::string& bytes) {
     for (std::size_t at = kHeaderEnd; at + 12 <= bytes.size();) {
         const std::size_t length = std::size_t{bigEndian(bytes, at)} + 12;
         if (length > bytes.size() - at) {
-            grey.append(bytes, at);  // cut short: libpng says so
+            grey.append(bytes, at);  // truncated: libpng will report it
             break;
         }
         const std::string_view type(bytes.data() + at + 4, 4);
@@ -169,7 +169,7 @@ bool isImageFile(const std::string& path) {
     return !formatFromContent(readHead(path, kMagicBytes)).empty();
 }
 
-/// PNG rows of 1, 2 or 4 bits arrive expanded to 8, without a word about it.
+/// Bits per sample, because OpenImageIO expands PNG rows of 1, 2 or 4 bits to 8 without reporting it.
 int ImageReader::pngBits() const {
     constexpr std::size_t kBitDepth = 24;
     const std::string head = path_.empty() ? memory_.substr(0, kBitDepth + 1) : readHead(path_, kBitDepth + 1);

@@ -18,7 +18,7 @@ namespace core {
 /// Used by image_io.cpp only; every failure is an Error(Input) that names the file.
 class ImageReader {
   public:
-    /// What a palette picture is read as.
+    /// How a palette picture is read.
     enum class Palette { Colors, Indices };
 
     explicit ImageReader(const std::string& path, Palette palette = Palette::Colors);
@@ -58,7 +58,7 @@ class ImageReader {
     void readRegion(int channelBegin, int channelEnd, float* target);
     [[nodiscard]] bool dataFillsDisplay() const;
 
-    Message subject_;   ///< what messages call the file
+    Message subject_;   ///< the file's name in messages
     std::string path_;  ///< empty for an embedded image
     std::string format_;
     std::size_t fileSize_ = 0;

@@ -116,13 +116,15 @@ void writeImage(const std::string& path, const char* format, const OIIO::ImageSp
     };
     AtomicFile file(path);
     OIIO::ImageSpec stamped = spec;
-    stamped["DateTime"] = "";  // else the EXR writer stores the time of day: the same picture, other bytes
+    // The EXR writer would store the time of day, so that equal pictures had different bytes.
+    stamped["DateTime"] = "";
     std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);  // outlives the output, whose destructor still asks it where it is
+    // Outlives the output, whose destructor still asks for its position.
+    OIIO::Filesystem::IOVecOutput memory(bytes);
     const auto output = OIIO::ImageOutput::create(format);
     if (!output) fail(Message("messages", "this build of OpenImageIO does not write %1 files").with(format));
-    // Into memory first: on a full disk the PNG writer says nothing and the JPEG writer ends the program. TIFF reports
-    // its errors, and what OpenImageIO 2.4 writes to memory is damaged.
+    // Into memory first, because on a full disk the PNG writer reports nothing and the JPEG writer ends the program.
+    // TIFF reports its errors, and OpenImageIO 2.4 writes damaged TIFF files to memory.
     const bool inMemory =
         std::string_view(format) != "tiff" && output->supports("ioproxy") != 0 && output->set_ioproxy(&memory);
     if (!output->open(inMemory ? path : file.temporaryPath(), stamped)) failAsReported(output->geterror());

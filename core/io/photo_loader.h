@@ -20,6 +20,7 @@ struct PhotoRequest {
 
 /// Reads and fits together colour, depth and labels. Throws Error(Input), and Error(Usage) for a unit that has to be
 /// given or intrinsics that cannot be.
-[[nodiscard]] std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, Notes* notes);
+[[nodiscard]] std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, Notes* notes,
+                                                     const Progress& progress = {});
 
 }  // namespace core

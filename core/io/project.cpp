@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kVersion = 1;
+/// Share of the time to load a project that its photograph takes; masks, BRDFs and maps take the rest.
+constexpr float kPhotoEnd = 0.9f;
 constexpr std::size_t kMaxProjectBytes = std::size_t{64} << 20U;
 const std::vector<std::string> kBackSideMethods{"automatic",  "offset",         "parallel_mirror",
                                                 "pca_mirror", "spanned_mirror", "flat_faces"};
@@ -187,7 +189,7 @@ void readRender(const json& value, RenderParams& params) {
     reader.finish();
 }
 
-Scene readProject(const std::string& path, Notes* notes) {
+Scene readProject(const std::string& path, Notes* notes, const Progress& progress) {
     const json document = parseJson(readFile(path, kMaxProjectBytes), ErrorKind::Input);
     JsonReader reader(document, "", ErrorKind::Input);
     std::string format;
@@ -214,7 +216,7 @@ Scene readProject(const std::string& path, Notes* notes) {
     PhotoRequest request = readPhoto(*photo, paths);
     if (filter != nullptr) readDepthFilter(*filter, scene.depthFilter);
     if (render != nullptr) readRender(*render, scene.render);
-    scene.photo = loadPhoto(request, notes);
+    scene.photo = loadPhoto(request, notes, progress.part(0, kPhotoEnd));
     if (segments != nullptr) {
         Notes unheard;
         readSegments(*segments, fs::path(path).parent_path().string(), scene, notes != nullptr ? notes : &unheard);
@@ -299,7 +301,7 @@ ordered_json writeScene(const Scene& scene, const fs::path& folder) {
 
 }  // namespace
 
-Scene createScene(const CreateOptions& options, Notes* notes) {
+Scene createScene(const CreateOptions& options, Notes* notes, const Progress& progress) {
     PhotoRequest request;
     request.source.color = options.color;
     request.source.depth = options.depth;
@@ -309,7 +311,7 @@ Scene createScene(const CreateOptions& options, Notes* notes) {
     request.intrinsics = options.intrinsics;
     request.hfov = options.hfov;
     Scene scene;
-    scene.photo = loadPhoto(request, notes);
+    scene.photo = loadPhoto(request, notes, progress);
     addMissingSegments(scene);
     for (const std::string& name : options.glossy) {
         Segment* segment = scene.findSegment(name);
@@ -322,9 +324,9 @@ Scene createScene(const CreateOptions& options, Notes* notes) {
     return scene;
 }
 
-Scene loadProject(const std::string& path, Notes* notes) {
+Scene loadProject(const std::string& path, Notes* notes, const Progress& progress) {
     try {
-        return readProject(path, notes);
+        return readProject(path, notes, progress);
     } catch (const Error& error) {
         const ErrorKind kind = error.kind() == ErrorKind::Usage ? ErrorKind::Input : error.kind();
         throw error.as(kind).withContext(Message("messages", "While loading \"%1\".").with(path));

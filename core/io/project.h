@@ -28,7 +28,7 @@ struct CreateOptions {
 /// agrees within 2 %: they are enlarged by nearest neighbour, so that nothing is blended across an edge. Throws
 /// Error(Input) naming the file, what was expected and what was found, and Error(Usage) for options that are out of
 /// range or name labels that do not occur. `notes` receives sentences for the user about what was assumed.
-[[nodiscard]] Scene createScene(const CreateOptions& options, Notes* notes = nullptr);
+[[nodiscard]] Scene createScene(const CreateOptions& options, Notes* notes = nullptr, const Progress& progress = {});
 
 /// Stored depth values to planar z [m]; 0 where there is none: not finite, ≤ 0, or beyond kMaxDepth. `camera` has the
 /// stored image's size. Kinds: see DepthKind; `unit` in metres.
@@ -51,7 +51,7 @@ inline constexpr float kMaxDepth = 10000.0f;
 /// Reads a `.patina` project (JSON; format in docs/project-format.md). Image paths are relative to the project file.
 /// Unknown keys, wrong types and out-of-range values are errors that name the key. An edit whose BRDF's file cannot be
 /// used is kept but shows the photograph (core::usable); a note says so.
-[[nodiscard]] Scene loadProject(const std::string& path, Notes* notes = nullptr);
+[[nodiscard]] Scene loadProject(const std::string& path, Notes* notes = nullptr, const Progress& progress = {});
 
 /// Writes atomically: a temporary file beside the target, flushed, then renamed; the old file survives any failure.
 /// Painted masks are written first (core/io/mask_io.h).

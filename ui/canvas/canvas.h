@@ -59,7 +59,7 @@ class Canvas : public QWidget {
     void zoomToFit();
     void setZoom(double zoom);
     [[nodiscard]] double zoom() const;
-    /// Where a picture pixel's centre is in this widget, logical pixels.
+    /// Centre of a picture pixel in this widget [logical pixels].
     [[nodiscard]] QPointF widgetPosition(int x, int y) const;
 
     [[nodiscard]] render::Renderer::Progress progress() const;

@@ -24,7 +24,7 @@ class CanvasPainter {
     /// that contains all differences from the last call.
     void record(const gpu::CommandEncoder& encoder, const CanvasState& state, QSize size, double ratio,
                 const gpu::Texture& result, const std::optional<QRect>& changed = std::nullopt);
-    /// What was drawn last: rgba8unorm, usage TextureBinding; an empty handle before.
+    /// The picture drawn last: rgba8unorm, usage TextureBinding; an empty handle before the first.
     [[nodiscard]] const gpu::Texture& screen() const { return screen_; }
 
   private:
@@ -46,7 +46,7 @@ class CanvasPainter {
     void updateLabels(const CanvasState& state);
     void updateMask(const CanvasState& state);
     void updateRuler(const CanvasState& state, double ratio);
-    /// Where the ruler goes in the view [device pixels]; empty without one.
+    /// Place of the ruler in the view [device pixels]; empty without one.
     [[nodiscard]] QRect rulerPlace(const CanvasState& state) const;
     /// Draws the picture into a rectangle of the view, clipped to `drawn_`, with a pipeline specialised for the filter
     /// and the CANVAS_* flags.

@@ -129,7 +129,7 @@ void CanvasRenderer::step() {
     attempt([this] { submitStep(); });
 }
 
-void CanvasRenderer::submitStep() {
+double CanvasRenderer::takeScene() {
     if (state_.photo != rendererPhoto_) {
         // The old photograph's picture must not be shown any longer.
         renderer_.reset();
@@ -138,14 +138,16 @@ void CanvasRenderer::submitStep() {
         progress_ = {};
         sceneStale_ = true;
     }
-    double budget = kSliceBudget;
-    if (state_.scene != nullptr && sceneStale_) {
-        budget = kFirstSliceBudget;
-        if (renderer_ == nullptr) renderer_ = std::make_unique<render::Renderer>(device_);
-        renderer_->setScene(*state_.scene, state_.analysis);
-        renderedScene_ = state_.sceneNumber;
-        sceneStale_ = false;
-    }
+    if (state_.scene == nullptr || !sceneStale_) return kSliceBudget;
+    if (renderer_ == nullptr) renderer_ = std::make_unique<render::Renderer>(device_);
+    renderer_->setScene(*state_.scene, state_.analysis);
+    renderedScene_ = state_.sceneNumber;
+    sceneStale_ = false;
+    return kFirstSliceBudget;
+}
+
+void CanvasRenderer::submitStep() {
+    const double budget = takeScene();
     gpu::CommandEncoder encoder = device_.createCommandEncoder({.label = "canvas step"});
     if (renderer_ != nullptr) renderer_->setRefining(state_.refining);
     workLeft_ = renderer_ != nullptr && !state_.suspended && renderer_->record(encoder, budget);

@@ -59,6 +59,8 @@ class CanvasRenderer : public QObject, public QVulkanWindowRenderer {
   private:
     void schedule();
     void step();
+    /// Hands a new scene of the state to the renderer; returns the device time for the next slice [s].
+    [[nodiscard]] double takeScene();
     void submitStep();
     void poll();
     void makePresentPipeline();
@@ -94,7 +96,7 @@ class CanvasRenderer : public QObject, public QVulkanWindowRenderer {
     bool presenting_ = false;      ///< a frame was asked for
     bool sceneStale_ = true;
     std::uint64_t renderedScene_ = 0;  ///< CanvasState::sceneNumber of the renderer's scene
-    std::uint64_t paintedScene_ = 0;   ///< of the drawn picture
+    std::uint64_t paintedScene_ = 0;   ///< number of the scene in the drawn picture
     std::uint64_t shownScene_ = 0;
     bool hasResult_ = false;
     bool failed_ = false;

@@ -24,7 +24,7 @@ struct CanvasPicture {
 };
 [[nodiscard]] std::shared_ptr<const CanvasPicture> makeCanvasPicture(const LayerPicture& picture);
 
-/// What is under the pointer.
+/// The picture pixel under the pointer.
 struct CursorValue {
     int x = 0;  ///< picture pixel
     int y = 0;

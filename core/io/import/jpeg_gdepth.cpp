@@ -17,7 +17,7 @@ bool recognisesGdepth(const ImportFile& file) {
     return file.head().starts_with("\xff\xd8\xff") && readJpegXmp(file.bytes()).text(kGoogleDepth, "Format");
 }
 
-/// The picture before the camera's artificial blur when it is there, else the picture of the JPEG.
+/// The picture before the camera's artificial blur if stored, otherwise the picture of the JPEG.
 ImageRgb readColor(const ImportFile& file, const Xmp& xmp, int orientation) {
     const auto sharp = xmp.text(kImage, "Data");
     if (!sharp) return loadColor(file.path());

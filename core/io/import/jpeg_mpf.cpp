@@ -23,7 +23,7 @@ struct Place {
     std::uint64_t size = 0;
 };
 
-/// Where the pictures after the first are, by the picture index, a TIFF structure; empty when it is damaged.
+/// Places of the pictures after the first, from the picture index, a TIFF structure; empty if it is damaged.
 std::vector<Place> readPictureIndex(const TiffBytes& index) {
     const auto entry = index.findEntry(index.integer(4, 4), kEntryTag);
     const auto bytes = entry ? index.integer(*entry + 4, 4) : std::nullopt;

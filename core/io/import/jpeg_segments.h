@@ -12,7 +12,7 @@ namespace core {
 /// One marker segment before the entropy-coded data of a JPEG stream.
 struct JpegSegment {
     unsigned marker = 0;       ///< 0xE1 for APP1
-    std::size_t offset = 0;    ///< of `payload` in the stream
+    std::size_t offset = 0;    ///< position of `payload` in the stream
     std::string_view payload;  ///< without marker and length
 };
 

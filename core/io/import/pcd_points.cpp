@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kMaxHeaderBytes = 64 * 1024;
 constexpr std::size_t kMaxFields = 256;
-constexpr std::size_t kMaxValues = 4096;  // of one field
+/// Values of one field.
+constexpr std::size_t kMaxValues = 4096;
 
 /// Reads the words of header lines as numbers, with messages that name the line.
 class HeaderReader {
@@ -24,10 +25,7 @@ class HeaderReader {
     [[nodiscard]] PcdHeader read() {
         const std::string& bytes = file_.bytes();
         PcdHeader header;
-        long points = -1;
-        std::vector<long> sizes;
-        std::vector<long> counts;
-        std::string types;
+        Lists lists;
         while (header.data.empty()) {
             const std::size_t end = bytes.find('\n', header.begin);
             if (end == std::string::npos || end > kMaxHeaderBytes)
@@ -40,25 +38,44 @@ class HeaderReader {
             for (std::string word; line >> word;) words.push_back(word);
             if (words.size() > kMaxFields) fail(key, Message("messages", "has %1 values").with(words.size()));
             if (words.empty()) fail(key, Message("messages", "has no value"));
-            if (key == "FIELDS")
-                for (const std::string& word : words) header.fields.emplace_back().name = word;
-            else if (key == "SIZE")
-                sizes = numbers(key, words);
-            else if (key == "TYPE")
-                for (const std::string& word : words) types += word.size() == 1 ? word[0] : '?';
-            else if (key == "COUNT")
-                counts = numbers(key, words);
-            else if (key == "WIDTH")
-                header.width = side(key, words);
-            else if (key == "HEIGHT")
-                header.height = side(key, words);
-            else if (key == "POINTS")
-                points = numbers(key, words)[0];
-            else if (key == "DATA")
-                header.data = words[0];
+            readLine(key, words, header, lists);
         }
-        if (counts.empty()) counts.assign(header.fields.size(), 1);
-        completeFields(header, sizes, types, counts);
+        if (lists.counts.empty()) lists.counts.assign(header.fields.size(), 1);
+        completeFields(header, lists.sizes, lists.types, lists.counts);
+        checkSize(header, lists.points);
+        return header;
+    }
+
+  private:
+    /// Values of lines that complete the fields or repeat what other lines say.
+    struct Lists {
+        std::vector<long> sizes;
+        std::string types;
+        std::vector<long> counts;
+        long points = -1;  ///< -1 = not stated
+    };
+
+    void readLine(const std::string& key, const std::vector<std::string>& words, PcdHeader& header,
+                  Lists& lists) const {
+        if (key == "FIELDS")
+            for (const std::string& word : words) header.fields.emplace_back().name = word;
+        else if (key == "SIZE")
+            lists.sizes = numbers(key, words);
+        else if (key == "TYPE")
+            for (const std::string& word : words) lists.types += word.size() == 1 ? word[0] : '?';
+        else if (key == "COUNT")
+            lists.counts = numbers(key, words);
+        else if (key == "WIDTH")
+            header.width = side(key, words);
+        else if (key == "HEIGHT")
+            header.height = side(key, words);
+        else if (key == "POINTS")
+            lists.points = numbers(key, words)[0];
+        else if (key == "DATA")
+            header.data = words[0];
+    }
+
+    void checkSize(const PcdHeader& header, long points) const {
         if (header.height < 2)
             file_.fail(
                 Message("messages",
@@ -69,10 +86,8 @@ class HeaderReader {
                            .with(header.width, header.height, kMaxImagePixels));
         if (points != -1 && points != static_cast<long>(header.points()))
             fail("POINTS", Message("messages", "is %1, expected WIDTH times HEIGHT, %2").with(points, header.points()));
-        return header;
     }
 
-  private:
     [[noreturn]] void fail(const std::string& key, const Message& reason) const {
         file_.fail(Message("messages", "the PCD header's %1 %2").with(key, reason));
     }
@@ -183,7 +198,7 @@ void PcdPoints::decompress() {
 
 void PcdPoints::parseText() {
     const std::string& text = file_.bytes();
-    // A value takes a digit and a space at least.
+    // A value takes at least a digit and a space.
     std::size_t values = 0;
     for (const PcdField& field : header_.fields) values += field.count;
     if (header_.points() > (text.size() - header_.begin + 1) / 2 / values)

@@ -12,7 +12,8 @@ namespace core {
 namespace {
 
 constexpr std::string_view kRdf = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
-constexpr int kMaxAncestors = 64;  // of elements, when a prefix is looked up
+/// Ancestors searched for the definition of a prefix.
+constexpr int kMaxAncestors = 64;
 
 /// Namespace that a prefix stands for at `node`.
 std::string_view namespaceOf(pugi::xml_node node, std::string_view prefix) {
@@ -149,7 +150,7 @@ std::optional<std::string> decodeBase64(std::string_view text) {
     std::string bytes;
     bytes.reserve(text.size() / 4 * 3);
     std::uint32_t bits = 0;
-    unsigned count = 0;  // of bits not yet written
+    unsigned count = 0;  // bits not yet written
     bool padded = false;
     for (const char c : text) {
         if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
