@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
+#include "core/base/progress.h"
 #include "core/scene/scene.h"
 
 namespace core {
