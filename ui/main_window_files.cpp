@@ -20,6 +20,7 @@
 #include "render/renderer.h"
 #include "ui/main_window.h"
 #include "ui/new_photo_dialog.h"
+#include "ui/words.h"
 
 namespace ui {
 

@@ -71,6 +71,8 @@ TEST_F(German, ErrorsKeepTheirValuesAndContext) {
 TEST_F(German, ErrorsAndNotesHaveNoEnglishInThem) {
     const std::string grey = folder_.filePath("grey.png").toStdString();
     core::saveScalar(core::ImageF(8, 6, 0.5f), grey, "Y", 255);
+    core::CreateOptions photograph;
+    photograph.color = grey;
     const std::string project = folder_.filePath("p.patina").toStdString();
     const auto load = [&](const char* text) {
         return untranslatedError([&] {
@@ -84,14 +86,14 @@ TEST_F(German, ErrorsAndNotesHaveNoEnglishInThem) {
     EXPECT_EQ(load("{\"format\": 3}"), std::vector<std::string>());
     EXPECT_EQ(load("{\"format\": \"patina\", \"version\": 0}"), std::vector<std::string>());
     EXPECT_EQ(load("{\"format\": \"patina\", \"version\": 1, \"photo\": {\"colour\": 1}}"), std::vector<std::string>());
-    EXPECT_EQ(untranslatedError([&] { (void)core::createScene({.color = grey, .depth = {}, .segments = {}}); }),
-              std::vector<std::string>());
+    EXPECT_EQ(untranslatedError([&] { (void)core::createScene(photograph); }), std::vector<std::string>());
     EXPECT_EQ(
         untranslatedError([&] { core::saveColor(core::ImageRgb(2, 2), folder_.filePath("x.bmp").toStdString()); }),
         std::vector<std::string>());
 
+    photograph.depth = grey;
     core::Notes notes;
-    (void)core::createScene({.color = grey, .depth = grey, .segments = {}}, &notes);
+    (void)core::createScene(photograph, &notes);
     core::Scene scene = test::makeScene();
     core::Analysis analysis = *test::makeAnalysis(scene);
     for (const core::Message& note : core::analysisNotes(scene, analysis)) notes.push_back(note);
