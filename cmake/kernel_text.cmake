@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -P: writes the preprocessed text of a kernel as a C++ header, from the variables GLSLANG, SOURCE, INCLUDE_DIR,
-# NAME and OUTPUT.
+# Run by cmake -P: writes the preprocessed text of a kernel as a C++ header. Reads the variables GLSLANG, SOURCE,
+# INCLUDE_DIR, NAME and OUTPUT.
 execute_process(
   COMMAND ${GLSLANG} -E -DPATINA_USER_BRDFS -I${INCLUDE_DIR} ${SOURCE}
   OUTPUT_VARIABLE text RESULT_VARIABLE result ERROR_VARIABLE errors)

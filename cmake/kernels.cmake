@@ -29,7 +29,7 @@ function(patina_kernels target)
       DEPFILE ${spv}.d
       COMMENT "Kernel ${stem}"
       VERBATIM)
-    # What glslang writes has neither guard nor include of its own.
+    # glslang's output has neither an include guard nor the include it needs.
     file(CONFIGURE OUTPUT ${include_dir}/kernels/${stem}.h
       CONTENT "#pragma once\n\n#include <stdint.h>\n\n#include \"../../spv/${stem}.words\"\n")
     list(APPEND embedded ${words})
@@ -41,7 +41,7 @@ function(patina_kernels target)
 endfunction()
 
 # patina_kernel_texts(TARGET FILE...): embeds the preprocessed text of kernels of TARGET as `const char* <stem>_text`,
-# included as "kernels/<stem>_text.h", for compiling them again with BRDFs that the user wrote.
+# included as "kernels/<stem>_text.h", so that they can be compiled again with BRDFs written by the user.
 function(patina_kernel_texts target)
   set(script ${PROJECT_SOURCE_DIR}/cmake/kernel_text.cmake)
   set(headers)
@@ -49,7 +49,7 @@ function(patina_kernel_texts target)
     get_filename_component(stem ${file} NAME_WE)
     get_filename_component(source ${file} ABSOLUTE)
     set(header ${CMAKE_BINARY_DIR}/kernels/include/kernels/${stem}_text.h)
-    # The kernel's own words are made anew when anything it includes changes.
+    # Depends on the kernel's words, which are rebuilt whenever a header it includes changes.
     add_custom_command(
       OUTPUT ${header}
       COMMAND ${CMAKE_COMMAND} -DGLSLANG=${GLSLANG} -DSOURCE=${source} -DINCLUDE_DIR=${PROJECT_SOURCE_DIR} -DNAME=${stem}

@@ -12,14 +12,14 @@ namespace gpu {
 
 /// Which adapter `Instance::requestAdapter` takes.
 struct RequestAdapterOptions {
-    std::string device = {};  ///< part of a name, case ignored, or an index into `adapters()`; empty = no wish
+    std::string device = {};  ///< part of a name, case ignored, or an index into `adapters()`; empty = no preference
 };
 
-/// What an adapter says about itself.
+/// Description of an adapter.
 struct AdapterInfo {
     std::string name;    ///< for example "llvmpipe (LLVM 15.0.6, 256 bits)"
     std::string driver;  ///< name and version of the driver
-    std::string vendor;  ///< name if known, else the number in hexadecimal
+    std::string vendor;  ///< name if known, otherwise the number in hexadecimal
     AdapterType type = AdapterType::Unknown;
     std::uint32_t vendorId = 0;
     std::uint32_t deviceId = 0;

@@ -13,7 +13,7 @@
 
 namespace gpu {
 
-/// A Vulkan device somebody else owns: `Device::adopt`. The instance must have been made for Vulkan 1.1 (for Qt:
+/// A Vulkan device owned by someone else, for `Device::adopt`. The instance must have been made for Vulkan 1.1 (for Qt:
 /// QVulkanInstance::setApiVersion({1, 1})); no feature or extension is needed. The queue must support compute and
 /// graphics, and only one thread may use it.
 struct AdoptDescriptor {
@@ -23,19 +23,19 @@ struct AdoptDescriptor {
     VkDevice device = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queueFamilyIndex = 0;
-    bool debugUtils = false;  ///< VK_EXT_debug_utils is enabled: objects get labels, and PATINA_VALIDATION is obeyed
+    bool debugUtils = false;  ///< VK_EXT_debug_utils is enabled: objects get labels, and PATINA_VALIDATION applies
     DeviceLostCallback deviceLost = {};
 };
 
-/// The render pass a pipeline will draw in: `RenderPipelineDescriptor::externalTarget`, subpass 0.
+/// Render pass that a pipeline draws in (subpass 0), for `RenderPipelineDescriptor::externalTarget`.
 struct ExternalRenderTarget {
     VkRenderPass renderPass = VK_NULL_HANDLE;
     VkSampleCountFlagBits sampleCount = VK_SAMPLE_COUNT_1_BIT;
     bool hasDepth = true;  ///< QVulkanWindow's default render pass has a depth attachment; it is not used
 };
 
-/// A pass into a framebuffer somebody else owns. Give all clear values the render pass asks for, in attachment order
-/// (for QVulkanWindow: colour, depth, and colour again when multisampled).
+/// A pass into a framebuffer owned by someone else. Needs all clear values of the render pass, in attachment order (for
+/// QVulkanWindow: colour, depth, and colour again when multisampled).
 struct ExternalRenderPassDescriptor {
     std::string label = {};
     VkRenderPass renderPass = VK_NULL_HANDLE;

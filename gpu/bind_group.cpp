@@ -46,7 +46,7 @@ BindGroupLayoutImpl::BindGroupLayoutImpl(DeviceImpl& owner, const BindGroupLayou
     require(support.supported == VK_TRUE, "Bind group layout ", quoted(label()), " has ", entries.size(),
             " entries, more than this device allows.");
     owner.check(vkCreateDescriptorSetLayout(owner.vk(), &info, nullptr, &vk), "vkCreateDescriptorSetLayout", label());
-    owner.setName(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, handleNumber(vk), label());
+    owner.labels().setName(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, vk, label());
 }
 
 void BindGroupLayoutImpl::release() noexcept {
@@ -95,8 +95,8 @@ BindGroupImpl::BindGroupImpl(DeviceImpl& owner, const BindGroupDescriptor& descr
         require(given[i], "Bind group ", quoted(label()), " does not give binding ", bound[i].entry.binding, " (a ",
                 toString(bound[i].entry.type), ") of layout ", quoted(layout->label()), ".");
     }
-    set = owner.allocateDescriptorSet(layout->vk, label());
-    owner.setName(VK_OBJECT_TYPE_DESCRIPTOR_SET, handleNumber(set.set), label());
+    set = owner.descriptorPools().allocate(layout->vk, label());
+    owner.labels().setName(VK_OBJECT_TYPE_DESCRIPTOR_SET, set.set, label());
     write();
 }
 
@@ -185,27 +185,23 @@ void BindGroupImpl::release() noexcept {
 
 PipelineLayoutImpl::PipelineLayoutImpl(DeviceImpl& owner, std::string name,
                                        std::vector<std::shared_ptr<BindGroupLayoutImpl>> bindGroupLayouts,
-                                       std::uint32_t pushConstantBytes, ShaderStage pushConstantShaderStages)
-    : Object(owner, std::move(name)),
-      groups(std::move(bindGroupLayouts)),
-      pushConstantSize(pushConstantBytes),
-      pushConstantStages(pushConstantShaderStages) {
+                                       std::uint32_t immediateBytes)
+    : Object(owner, std::move(name)), groups(std::move(bindGroupLayouts)), immediateSize(immediateBytes) {
     require(groups.size() <= owner.limits().maxBindGroups, "Pipeline layout ", quoted(label()), " has ", groups.size(),
             " bind groups; this device allows ", owner.limits().maxBindGroups, ".");
-    require(pushConstantSize <= kMaxPushConstantSize && pushConstantSize % 4 == 0, "Pipeline layout ", quoted(label()),
-            " has ", pushConstantSize, " bytes of push constants; a multiple of 4 up to ", kMaxPushConstantSize,
-            " is expected.");
+    require(immediateSize <= kMaxImmediateSize && immediateSize % 4 == 0, "Pipeline layout ", quoted(label()), " has ",
+            immediateSize, " bytes of immediates; a multiple of 4 up to ", kMaxImmediateSize, " is expected.");
     std::vector<VkDescriptorSetLayout> setLayouts;
     for (const auto& group : groups) setLayouts.push_back(group->vk);
-    const VkPushConstantRange range = {toVulkan(pushConstantStages), 0, pushConstantSize};
+    const VkPushConstantRange range = {kImmediateStages, 0, immediateSize};
     VkPipelineLayoutCreateInfo info = {};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
     info.setLayoutCount = static_cast<std::uint32_t>(setLayouts.size());
     info.pSetLayouts = setLayouts.data();
-    info.pushConstantRangeCount = pushConstantSize > 0 ? 1 : 0;
+    info.pushConstantRangeCount = immediateSize > 0 ? 1 : 0;
     info.pPushConstantRanges = &range;
     owner.check(vkCreatePipelineLayout(owner.vk(), &info, nullptr, &vk), "vkCreatePipelineLayout", label());
-    owner.setName(VK_OBJECT_TYPE_PIPELINE_LAYOUT, handleNumber(vk), label());
+    owner.labels().setName(VK_OBJECT_TYPE_PIPELINE_LAYOUT, vk, label());
 }
 
 void PipelineLayoutImpl::release() noexcept {

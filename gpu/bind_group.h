@@ -29,12 +29,12 @@ struct BindGroupLayoutDescriptor {
     std::vector<BindGroupLayoutEntry> entries = {};
 };
 
-/// What a shader expects in one group. Layouts with equal entries are interchangeable.
+/// Bindings of one group, as a shader expects them. Layouts with equal entries are interchangeable.
 class BindGroupLayout : public Handle<detail::BindGroupLayoutImpl> {
   public:
     using Handle::Handle;
     [[nodiscard]] const std::string& label() const;
-    [[nodiscard]] const std::vector<BindGroupLayoutEntry>& entries() const;  ///< by rising binding
+    [[nodiscard]] const std::vector<BindGroupLayoutEntry>& entries() const;  ///< in order of binding
 };
 
 /// One resource of a group: a buffer range, a view, a sampler, or (CombinedTextureSampler) a view and a sampler.
@@ -53,7 +53,7 @@ struct BindGroupDescriptor {
     std::vector<BindGroupEntry> entries = {};
 };
 
-/// Resources bound together; checked against the layout when made.
+/// Resources bound together; checked against the layout on creation.
 class BindGroup : public Handle<detail::BindGroupImpl> {
   public:
     using Handle::Handle;
@@ -63,11 +63,10 @@ class BindGroup : public Handle<detail::BindGroupImpl> {
 struct PipelineLayoutDescriptor {
     std::string label = {};
     std::vector<BindGroupLayout> bindGroupLayouts = {};  ///< index = group (GLSL set)
-    std::uint32_t pushConstantSize = 0;                  ///< bytes, a multiple of 4
-    ShaderStage pushConstantStages = ShaderStage::Compute;
+    std::uint32_t immediateSize = 0;                     ///< [bytes] a multiple of 4 up to kMaxImmediateSize
 };
 
-/// The groups and push constants of a pipeline.
+/// The groups and immediates of a pipeline.
 class PipelineLayout : public Handle<detail::PipelineLayoutImpl> {
   public:
     using Handle::Handle;

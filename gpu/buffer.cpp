@@ -5,7 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "gpu/detail/commands.h"
+#include "gpu/detail/command_buffer.h"
+#include "gpu/detail/device_impl.h"
 #include "gpu/detail/resources.h"
 #include "gpu/detail/vulkan_map.h"
 
@@ -40,7 +41,7 @@ void BufferImpl::createMemory(bool staging) {
     info.usage = toVulkan(usage);
     info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
     device().check(vkCreateBuffer(device().vk(), &info, nullptr, &vk), "vkCreateBuffer", label());
-    device().setName(VK_OBJECT_TYPE_BUFFER, handleNumber(vk), label());
+    device().labels().setName(VK_OBJECT_TYPE_BUFFER, vk, label());
 
     VkMemoryRequirements requirements;
     vkGetBufferMemoryRequirements(device().vk(), vk, &requirements);
@@ -54,24 +55,19 @@ void BufferImpl::createMemory(bool staging) {
     } else if (write) {
         required = preferred = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     }
-    allocation_ = device().allocate(requirements, required, preferred, !staging,
-                                    text("buffer ", quoted(label()), " of ", size, " bytes"));
+    allocation_ = device().memory().allocate(requirements, required, preferred, !staging,
+                                             text("buffer ", quoted(label()), " of ", size, " bytes"));
     device().check(vkBindBufferMemory(device().vk(), vk, allocation_.memory, 0), "vkBindBufferMemory", label());
-    if (read || write) {
-        void* data = nullptr;
-        device().check(vkMapMemory(device().vk(), allocation_.memory, 0, VK_WHOLE_SIZE, 0, &data), "vkMapMemory",
-                       label());
-        host_ = static_cast<std::byte*>(data);
-    }
+    if (read || write) host_ = device().memory().map(allocation_, label());
 }
 
 void BufferImpl::zero() {
     if (host_ != nullptr) {
         std::memset(host_, 0, static_cast<std::size_t>(size));
-        flushHostWrites();
+        device().memory().flushHostWrites(allocation_, label());
         return;
     }
-    CommandBufferImpl& writes = device().pendingWrites();
+    CommandBufferImpl& writes = device().inFlight().pendingWrites();
     writes.use(*this, kCopyWrite);
     writes.barrier();
     vkCmdFillBuffer(writes.vk, vk, 0, VK_WHOLE_SIZE, 0);
@@ -82,19 +78,7 @@ void BufferImpl::release() noexcept {
     vkDestroyBuffer(device().vk(), vk, nullptr);
     vk = VK_NULL_HANDLE;
     host_ = nullptr;
-    device().free(allocation_);
-}
-
-void BufferImpl::flushHostWrites() {
-    if ((allocation_.flags & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT) != 0) return;
-    VkMappedMemoryRange range = {VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE, nullptr, allocation_.memory, 0, VK_WHOLE_SIZE};
-    device().check(vkFlushMappedMemoryRanges(device().vk(), 1, &range), "vkFlushMappedMemoryRanges", label());
-}
-
-void BufferImpl::invalidateHostReads() {
-    if ((allocation_.flags & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT) != 0) return;
-    VkMappedMemoryRange range = {VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE, nullptr, allocation_.memory, 0, VK_WHOLE_SIZE};
-    device().check(vkInvalidateMappedMemoryRanges(device().vk(), 1, &range), "vkInvalidateMappedMemoryRanges", label());
+    device().memory().free(allocation_);
 }
 
 void BufferImpl::startMappedAtCreation() {
@@ -116,25 +100,28 @@ void BufferImpl::mapAsync(MapMode mode, std::uint64_t offset, std::uint64_t leng
     if (length == kWholeSize) length = size - offset;
     require(length <= size - offset, "Mapping ", length, " bytes at byte ", offset, " goes past the ", size,
             " bytes of buffer ", quoted(label()), ".");
-    device().flushPendingWrites();
+    device().inFlight().flushPendingWrites();
     mapState = BufferMapState::Pending;
     mapMode_ = mode;
     mapOffset_ = offset;
     mapSize_ = length;
     mapCallback_ = std::move(callback);
-    device().whenDone(lastSubmission, lastFrame, [self = internalReference(*this), request = ++mapRequest_](bool done) {
-        if (self->mapState != BufferMapState::Pending || self->mapRequest_ != request) return;
-        const BufferMapCallback mapped = std::exchange(self->mapCallback_, nullptr);
-        self->mapState = done ? BufferMapState::Mapped : BufferMapState::Unmapped;
-        if (done && self->mapMode_ == MapMode::Read) self->invalidateHostReads();
-        if (!mapped) return;
-        if (done) {
-            mapped(MapAsyncStatus::Success, "");
-        } else {
-            mapped(MapAsyncStatus::Error,
-                   text("Mapping buffer ", quoted(self->label()), " fails: the device is gone."));
-        }
-    });
+    device().inFlight().whenDone(
+        lastSubmission, lastFrame, [self = internalReference(*this), request = ++mapRequest_](bool done) {
+            if (self->mapState != BufferMapState::Pending || self->mapRequest_ != request) return;
+            const BufferMapCallback mapped = std::exchange(self->mapCallback_, nullptr);
+            self->mapState = done ? BufferMapState::Mapped : BufferMapState::Unmapped;
+            if (done && self->mapMode_ == MapMode::Read) {
+                self->device().memory().invalidateHostReads(self->allocation_, self->label());
+            }
+            if (!mapped) return;
+            if (done) {
+                mapped(MapAsyncStatus::Success, "");
+            } else {
+                mapped(MapAsyncStatus::Error,
+                       text("Mapping buffer ", quoted(self->label()), " fails: the device is gone."));
+            }
+        });
 }
 
 void* BufferImpl::mappedRange(std::uint64_t offset, std::uint64_t length, bool forWriting) {
@@ -162,7 +149,7 @@ void BufferImpl::unmap() {
     require(mapState == BufferMapState::Mapped, "Buffer ", quoted(label()), " is not mapped.");
     mapState = BufferMapState::Unmapped;
     if (host_ != nullptr) {
-        if (mapMode_ == MapMode::Write) flushHostWrites();
+        if (mapMode_ == MapMode::Write) device().memory().flushHostWrites(allocation_, label());
         return;
     }
     const std::vector<std::byte> data = std::exchange(creationData_, {});

@@ -20,7 +20,7 @@ struct BufferDescriptor {
 
 using BufferMapCallback = std::function<void(MapAsyncStatus status, std::string_view message)>;
 
-/// A block of memory of the device, zero when new.
+/// A block of device memory, zero when new.
 class Buffer : public Handle<detail::BufferImpl> {
   public:
     using Handle::Handle;
@@ -30,9 +30,9 @@ class Buffer : public Handle<detail::BufferImpl> {
     [[nodiscard]] const std::string& label() const;
     [[nodiscard]] BufferMapState mapState() const;
 
-    /// Asks for access by the CPU once the submitted work that uses the buffer has completed. The callback comes from
-    /// tick() or a later call on this thread, never from mapAsync itself; unmap() before that aborts it. `size` may be
-    /// kWholeSize. A buffer that is mapped or about to be cannot be used by a submission.
+    /// Requests access for the CPU once the submitted work that uses the buffer has completed. The callback runs inside
+    /// tick() or a later call on this thread, never inside mapAsync itself; an earlier unmap() aborts it. `size` may be
+    /// kWholeSize. Submissions cannot use a buffer that is mapped or about to be.
     void mapAsync(MapMode mode, std::uint64_t offset, std::uint64_t size, BufferMapCallback callback) const;
     /// The mapped bytes from `offset` (of the buffer); within the mapped range only.
     [[nodiscard]] void* getMappedRange(std::uint64_t offset = 0, std::uint64_t size = kWholeSize) const;

@@ -14,12 +14,12 @@ namespace detail {
 
 CommandEncoderImpl::~CommandEncoderImpl() {
     if (finished_ || !commands_->adopted) return;
-    // The frame's owner will submit it all the same: what it needs has to go first.
+    // The owner submits the frame anyway, so the writes it depends on must go first.
     try {
         commands_->end();
-        if (!device_->lost() && !device_->destroyed()) device_->flushPendingWrites();
+        if (!device_->lost() && !device_->destroyed()) device_->inFlight().flushPendingWrites();
     } catch (const Error&) {
-        // Nobody is left to tell; the next call on the device reports the same trouble.
+        // There is no caller to inform; the next call on the device reports the same error.
     }
 }
 
@@ -36,7 +36,7 @@ std::shared_ptr<CommandBufferImpl> CommandEncoderImpl::finish() {
     if (commands_->adopted) {
         commands_->requireNothingMapped();
         commands_->end();
-        device_->flushPendingWrites();
+        device_->inFlight().flushPendingWrites();
         return nullptr;
     }
     commands_->end();
@@ -253,7 +253,7 @@ void CommandEncoder::resolveQuerySet(const QuerySet& handle, std::uint32_t first
 void CommandEncoder::pushDebugGroup(const std::string& label) const {
     detail::CommandEncoderImpl& encoder = encoderOf(impl_);
     encoder.record([&] {
-        encoder.device()->beginLabel(encoder.commands().vk, label);
+        encoder.device()->labels().begin(encoder.commands().vk, label);
         ++encoder.debugGroups;
     });
 }
@@ -264,13 +264,13 @@ void CommandEncoder::popDebugGroup() const {
         detail::require(encoder.debugGroups > 0, "Encoder ", detail::quoted(encoder.label()),
                         " has no open debug group.");
         --encoder.debugGroups;
-        encoder.device()->endLabel(encoder.commands().vk);
+        encoder.device()->labels().end(encoder.commands().vk);
     });
 }
 
 void CommandEncoder::insertDebugMarker(const std::string& label) const {
     detail::CommandEncoderImpl& encoder = encoderOf(impl_);
-    encoder.record([&] { encoder.device()->insertLabel(encoder.commands().vk, label); });
+    encoder.record([&] { encoder.device()->labels().insert(encoder.commands().vk, label); });
 }
 
 void CommandEncoder::onCompleted(std::function<void()> callback) const {

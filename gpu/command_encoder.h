@@ -52,7 +52,7 @@ struct RenderPassDescriptor {
     std::optional<PassTimestampWrites> timestampWrites = {};
 };
 
-/// A place in a buffer that a copy from or to a texture uses.
+/// Location in a buffer for a copy from or to a texture.
 struct TexelCopyBufferInfo {
     Buffer buffer = {};
     TexelCopyBufferLayout layout = {};
@@ -70,15 +70,17 @@ class ComputePassEncoder : public Handle<detail::ComputePassImpl> {
     using Handle::Handle;
 
     void setPipeline(const ComputePipeline& pipeline) const;
-    /// One dynamic offset [bytes] per entry with hasDynamicOffset, by rising binding.
+    /// One dynamic offset [bytes] per entry with hasDynamicOffset, in order of binding.
     void setBindGroup(std::uint32_t index, const BindGroup& group,
                       std::span<const std::uint32_t> dynamicOffsets = {}) const;
-    /// The shader's whole push constant block; after setPipeline. C++ tail padding (up to 16 bytes) is accepted.
-    void setPushConstants(const void* data, std::size_t size) const;
+    /// Sets bytes [rangeOffset, rangeOffset + size) of the shader's immediates (GLSL: its push_constant block),
+    /// multiples of 4 within kMaxImmediateSize. They stay set for all later dispatches of the pass, whatever the
+    /// pipeline; a dispatch needs every byte its pipeline declares and ignores the rest.
+    void setImmediates(std::uint32_t rangeOffset, const void* data, std::size_t size) const;
     template <class T>
     requires(std::is_trivially_copyable_v<T> &&
-             sizeof(T) <= kMaxPushConstantSize) void setPushConstants(const T& block) const {
-        setPushConstants(&block, sizeof(T));
+             sizeof(T) <= kMaxImmediateSize) void setImmediates(std::uint32_t rangeOffset, const T& block) const {
+        setImmediates(rangeOffset, &block, sizeof(T));
     }
 
     /// Runs x*y*z workgroups. A count of 0 does nothing.
@@ -93,7 +95,7 @@ class ComputePassEncoder : public Handle<detail::ComputePassImpl> {
     void end() const;
 };
 
-/// Draws. Nothing is recorded before end(): the barriers of the whole pass have to come first.
+/// Draw calls. Nothing is recorded before end(), because the barriers of the whole pass must come first.
 class RenderPassEncoder : public Handle<detail::RenderPassImpl> {
   public:
     using Handle::Handle;
@@ -101,11 +103,11 @@ class RenderPassEncoder : public Handle<detail::RenderPassImpl> {
     void setPipeline(const RenderPipeline& pipeline) const;
     void setBindGroup(std::uint32_t index, const BindGroup& group,
                       std::span<const std::uint32_t> dynamicOffsets = {}) const;
-    void setPushConstants(const void* data, std::size_t size) const;
+    void setImmediates(std::uint32_t rangeOffset, const void* data, std::size_t size) const;
     template <class T>
     requires(std::is_trivially_copyable_v<T> &&
-             sizeof(T) <= kMaxPushConstantSize) void setPushConstants(const T& block) const {
-        setPushConstants(&block, sizeof(T));
+             sizeof(T) <= kMaxImmediateSize) void setImmediates(std::uint32_t rangeOffset, const T& block) const {
+        setImmediates(rangeOffset, &block, sizeof(T));
     }
     void setVertexBuffer(std::uint32_t slot, const Buffer& buffer, std::uint64_t offset = 0) const;
     void setIndexBuffer(const Buffer& buffer, IndexFormat format, std::uint64_t offset = 0) const;
@@ -119,7 +121,7 @@ class RenderPassEncoder : public Handle<detail::RenderPassImpl> {
     void end() const;
 };
 
-/// Records commands. Barriers are inserted from usage, between dispatches too; callers never write one.
+/// Records commands. Barriers follow from usage, also between dispatches; callers never write one.
 ///
 /// A call that throws has recorded nothing. While a pass is open only the pass may record.
 class CommandEncoder : public Handle<detail::CommandEncoderImpl> {
@@ -128,7 +130,7 @@ class CommandEncoder : public Handle<detail::CommandEncoderImpl> {
 
     [[nodiscard]] ComputePassEncoder beginComputePass(const ComputePassDescriptor& descriptor = {}) const;
     [[nodiscard]] RenderPassEncoder beginRenderPass(const RenderPassDescriptor& descriptor) const;
-    /// A pass into somebody else's framebuffer (a window's).
+    /// A pass into a framebuffer owned by someone else (a window).
     [[nodiscard]] RenderPassEncoder beginRenderPass(const ExternalRenderPassDescriptor& descriptor) const;
 
     void copyBufferToBuffer(const Buffer& source, std::uint64_t sourceOffset, const Buffer& destination,
@@ -143,7 +145,7 @@ class CommandEncoder : public Handle<detail::CommandEncoderImpl> {
     void clearBuffer(const Buffer& buffer, std::uint64_t offset = 0, std::uint64_t size = kWholeSize) const;
     /// Zeroes one level. Needs usage CopyDst.
     void clearTexture(const Texture& texture, std::uint32_t mipLevel = 0) const;
-    /// Writes at this place in the command stream, so that one buffer can hold different values for different
+    /// Writes at this point of the command stream, so that one buffer can hold different values for different
     /// dispatches of an encoder; at most 64 KiB, offset and size multiples of 4. Needs usage CopyDst.
     void writeBuffer(const Buffer& buffer, std::uint64_t offset, const void* data, std::size_t size) const;
 
@@ -156,7 +158,8 @@ class CommandEncoder : public Handle<detail::CommandEncoderImpl> {
     void popDebugGroup() const;
     void insertDebugMarker(const std::string& label) const;
 
-    /// Called, from tick() or a later call on this thread, when the device has run the commands of this encoder.
+    /// The callback runs, inside tick() or a later call on this thread, once the device has run this encoder's
+    /// commands.
     void onCompleted(std::function<void()> callback) const;
 
     /// Ends recording. On an adopted frame the result is empty and the command buffer's owner submits.

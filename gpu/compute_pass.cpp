@@ -18,14 +18,14 @@ ComputePassImpl::ComputePassImpl(std::shared_ptr<CommandEncoderImpl> owner, cons
         encoder->writeTimestamp(querySet, timestampWrites_->beginningOfPassWriteIndex,
                                 VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT);
     }
-    encoder->device()->beginLabel(encoder->commands().vk, label);
+    encoder->device()->labels().begin(encoder->commands().vk, label);
     encoder->passOpen = true;
 }
 
 ComputePassImpl::~ComputePassImpl() {
     if (!open_) return;
-    // Left by an exception: what was recorded stays, the encoder can go on.
-    for (; debugGroups >= 0; --debugGroups) encoder->device()->endLabel(encoder->commands().vk);
+    // Left by an exception: recorded commands stay, the encoder remains usable.
+    for (; debugGroups >= 0; --debugGroups) encoder->device()->labels().end(encoder->commands().vk);
     encoder->passOpen = false;
 }
 
@@ -53,7 +53,7 @@ void ComputePassImpl::end() {
     require(debugGroups == 0, "Compute pass ", quoted(label), " cannot end: ", debugGroups, " debug groups are open.");
     open_ = false;
     encoder->passOpen = false;
-    encoder->device()->endLabel(encoder->commands().vk);
+    encoder->device()->labels().end(encoder->commands().vk);
     if (timestampWrites_) {
         encoder->writeTimestamp(*timestampWrites_->querySet.impl(), timestampWrites_->endOfPassWriteIndex,
                                 VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT);
@@ -99,8 +99,9 @@ void ComputePassEncoder::setBindGroup(std::uint32_t index, const BindGroup& grou
     });
 }
 
-void ComputePassEncoder::setPushConstants(const void* data, std::size_t size) const {
-    record(impl_, [&](detail::ComputePassImpl& pass) { pass.bindings.setPushConstants(data, size, pass.label); });
+void ComputePassEncoder::setImmediates(std::uint32_t rangeOffset, const void* data, std::size_t size) const {
+    record(impl_,
+           [&](detail::ComputePassImpl& pass) { pass.bindings.setImmediates(rangeOffset, data, size, pass.label); });
 }
 
 void ComputePassEncoder::dispatchWorkgroups(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
@@ -141,7 +142,7 @@ void ComputePassEncoder::writeTimestamp(const QuerySet& querySet, std::uint32_t 
 
 void ComputePassEncoder::pushDebugGroup(const std::string& label) const {
     record(impl_, [&](detail::ComputePassImpl& pass) {
-        pass.encoder->device()->beginLabel(pass.encoder->commands().vk, label);
+        pass.encoder->device()->labels().begin(pass.encoder->commands().vk, label);
         ++pass.debugGroups;
     });
 }
@@ -150,13 +151,13 @@ void ComputePassEncoder::popDebugGroup() const {
     record(impl_, [&](detail::ComputePassImpl& pass) {
         detail::require(pass.debugGroups > 0, "Compute pass ", detail::quoted(pass.label), " has no open debug group.");
         --pass.debugGroups;
-        pass.encoder->device()->endLabel(pass.encoder->commands().vk);
+        pass.encoder->device()->labels().end(pass.encoder->commands().vk);
     });
 }
 
 void ComputePassEncoder::insertDebugMarker(const std::string& label) const {
     record(impl_, [&](detail::ComputePassImpl& pass) {
-        pass.encoder->device()->insertLabel(pass.encoder->commands().vk, label);
+        pass.encoder->device()->labels().insert(pass.encoder->commands().vk, label);
     });
 }
 

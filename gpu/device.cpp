@@ -18,16 +18,16 @@ detail::DeviceImpl& deviceOf(const std::shared_ptr<detail::DeviceImpl>& impl) {
     return *impl;
 }
 
-/// Runs the callbacks that are ready even when the call fails: a lost device has them to report.
+/// Runs the callbacks that are ready even when the call fails, because the loss of a device is reported through them.
 template <class F>
 void runThenReady(detail::DeviceImpl& device, F&& call) {
     try {
         device.guarded(std::forward<F>(call));
     } catch (const Error&) {
-        device.runReady();
+        device.inFlight().runReady();
         throw;
     }
-    device.runReady();
+    device.inFlight().runReady();
 }
 
 /// Makes an object inside the error scopes; the handle is empty when a scope kept the error.
@@ -114,10 +114,9 @@ PipelineLayout Device::createPipelineLayout(const PipelineLayoutDescriptor& desc
         for (const BindGroupLayout& group : descriptor.bindGroupLayouts) {
             groups.push_back(detail::internalReference(detail::resolve(group, *impl_, "bind group layout")));
         }
-        return PipelineLayout(detail::makeHandle(
-            impl_,
-            std::make_shared<detail::PipelineLayoutImpl>(*impl_, descriptor.label, std::move(groups),
-                                                         descriptor.pushConstantSize, descriptor.pushConstantStages)));
+        return PipelineLayout(
+            detail::makeHandle(impl_, std::make_shared<detail::PipelineLayoutImpl>(
+                                          *impl_, descriptor.label, std::move(groups), descriptor.immediateSize)));
     });
 }
 
@@ -154,14 +153,14 @@ CommandEncoder Device::beginAdoptedFrame(VkCommandBuffer_T* commandBuffer, std::
         detail::require(device.adopted(), "Device ", detail::quoted(device.label()),
                         " is not adopted: record with createCommandEncoder.");
         detail::require(commandBuffer != nullptr, "The command buffer of an adopted frame is null.");
-        device.completeSlot(slot);
-        device.reclaim();
+        device.inFlight().completeSlot(slot);
+        device.inFlight().reclaim();
         const std::string label = detail::text("frame of slot ", slot);
         auto recording = std::make_shared<detail::CommandBufferImpl>(device, label, commandBuffer);
-        device.beginAdoptedFrame(slot, recording);
+        device.inFlight().beginAdoptedFrame(slot, recording);
         return CommandEncoder(std::make_shared<detail::CommandEncoderImpl>(impl_, label, std::move(recording)));
     });
-    device.runReady();
+    device.inFlight().runReady();
     return encoder;
 }
 
@@ -183,17 +182,17 @@ bool Device::supportsUsage(TextureFormat format, TextureUsage usage) const {
 void Device::tick() const {
     detail::DeviceImpl& device = deviceOf(impl_);
     runThenReady(device, [&] {
-        device.flushPendingWrites();
-        device.reclaim();
+        device.inFlight().flushPendingWrites();
+        device.inFlight().reclaim();
     });
 }
 
 void Device::waitIdle() const {
     detail::DeviceImpl& device = deviceOf(impl_);
-    runThenReady(device, [&] { device.waitIdle(); });
+    runThenReady(device, [&] { device.inFlight().waitIdle(); });
 }
 
-std::uint64_t Device::allocatedBytes() const { return deviceOf(impl_).allocatedBytes(); }
+std::uint64_t Device::allocatedBytes() const { return deviceOf(impl_).memory().allocatedBytes(); }
 void Device::pushErrorScope(ErrorFilter filter) const { deviceOf(impl_).pushErrorScope(filter); }
 std::optional<Error> Device::popErrorScope() const { return deviceOf(impl_).popErrorScope(); }
 bool Device::isLost() const { return deviceOf(impl_).lost(); }

@@ -34,17 +34,17 @@ struct DeviceDescriptor {
     DeviceLostCallback deviceLost = {};  ///< called once, from the call that notices
 };
 
-/// A connection to an adapter, and the maker of everything that lives there. Use it from one thread at a time; several
-/// devices may be used by several threads at once.
+/// A connection to an adapter; creates all other objects. Belongs to one thread at a time; different devices may be
+/// used by different threads at once.
 ///
-/// Every call may throw Error: Validation for a wrong argument (nothing has happened then), OutOfMemory, DeviceLost.
-/// While an error scope of the right filter is open, the error goes to the scope instead and the call returns an empty
-/// handle.
+/// Every call may throw Error: Validation for a wrong argument (without any effect), OutOfMemory, DeviceLost.
+/// While an error scope with a matching filter is open, the error goes to the scope instead and the call returns an
+/// empty handle.
 class Device : public Handle<detail::DeviceImpl> {
   public:
     using Handle::Handle;
 
-    /// Wraps a Vulkan device somebody else made and will destroy (a QVulkanWindow); see gpu/adopt.h.
+    /// Wraps a Vulkan device that someone else (a QVulkanWindow) made and will destroy; see gpu/adopt.h.
     [[nodiscard]] static Device adopt(const AdoptDescriptor& descriptor);
 
     [[nodiscard]] Buffer createBuffer(const BufferDescriptor& descriptor) const;
@@ -55,8 +55,8 @@ class Device : public Handle<detail::DeviceImpl> {
     [[nodiscard]] BindGroup createBindGroup(const BindGroupDescriptor& descriptor) const;
     [[nodiscard]] PipelineLayout createPipelineLayout(const PipelineLayoutDescriptor& descriptor) const;
     [[nodiscard]] ComputePipeline createComputePipeline(const ComputePipelineDescriptor& descriptor) const;
-    /// The same, compiled on another thread. A pass that uses it earlier waits for it, and throws what compiling it
-    /// failed with.
+    /// Same, compiled on another thread. A pass that uses it before it is ready waits, and throws the error of a failed
+    /// compilation.
     [[nodiscard]] ComputePipeline createComputePipelineAsync(const ComputePipelineDescriptor& descriptor) const;
     /// Whether pipelines are being compiled on another thread.
     [[nodiscard]] bool compiling() const;
@@ -64,8 +64,8 @@ class Device : public Handle<detail::DeviceImpl> {
     [[nodiscard]] QuerySet createQuerySet(const QuerySetDescriptor& descriptor) const;
     [[nodiscard]] CommandEncoder createCommandEncoder(const CommandEncoderDescriptor& descriptor = {}) const;
 
-    /// Wraps a command buffer that is being recorded (outside a render pass) and that somebody else submits to the
-    /// adopted queue. Call finish() on the encoder before that. `slot` is the frame-in-flight index: when the same slot
+    /// Wraps a command buffer that is being recorded (outside a render pass) and that its owner submits to the adopted
+    /// queue. Call finish() on the encoder before that. `slot` is the frame-in-flight index: when the same slot
     /// begins again, everything recorded in it before has completed, and its callbacks, mappings and timestamps arrive.
     [[nodiscard]] CommandEncoder beginAdoptedFrame(VkCommandBuffer_T* commandBuffer, std::uint32_t slot) const;
 
@@ -78,13 +78,13 @@ class Device : public Handle<detail::DeviceImpl> {
     /// Whether textures of this format can have this usage.
     [[nodiscard]] bool supportsUsage(TextureFormat format, TextureUsage usage) const;
 
-    /// Notices completed work and calls the callbacks that wait for it; never blocks.
+    /// Checks for completed work and runs the callbacks waiting for it; never blocks.
     void tick() const;
-    /// Blocks until all submitted work has completed, then calls callbacks as `tick`. The adopted frame begun last is
-    /// not waited for: it may not have been submitted yet.
+    /// Blocks until all submitted work has completed, then runs callbacks like `tick`. Does not wait for the last
+    /// adopted frame, which may not have been submitted yet.
     void waitIdle() const;
 
-    /// Bytes of device memory held by buffers and textures that are alive.
+    /// Bytes of device memory held by living buffers and textures.
     [[nodiscard]] std::uint64_t allocatedBytes() const;
 
     /// Errors thrown by later calls that match `filter` are kept instead, until the scope is popped.
@@ -93,8 +93,8 @@ class Device : public Handle<detail::DeviceImpl> {
     [[nodiscard]] std::optional<Error> popErrorScope() const;
 
     [[nodiscard]] bool isLost() const;
-    /// Waits for the device, then destroys every object made from it; handles that are left are dead and using them is
-    /// a validation error. For an adopted device this must happen before its owner destroys it.
+    /// Waits for the device, then destroys every object made from it; remaining handles are dead, and using them is a
+    /// validation error. For an adopted device this must happen before its owner destroys it.
     void destroy() const;
 };
 

@@ -46,7 +46,7 @@ VkDebugUtilsMessengerCreateInfoEXT ValidationListener::createInfo() {
     info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
     info.messageSeverity =
         VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-    // Performance advice is left out: it objects to images in GENERAL, which is where ours live on purpose.
+    // No performance warnings: they object to images in GENERAL, which is our intended layout.
     info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
     info.pfnUserCallback = &ValidationListener::onMessage;
     info.pUserData = this;
@@ -104,7 +104,7 @@ InstanceImpl::InstanceImpl(const InstanceDescriptor& descriptor) {
     if (descriptor.validation != ValidationMode::Off) {
         if (!layerInstalled()) {
             throw Error(ErrorKind::Internal,
-                        "Validation is asked for (PATINA_VALIDATION), but the layer VK_LAYER_KHRONOS_validation is not "
+                        "Validation is requested (PATINA_VALIDATION), but the layer VK_LAYER_KHRONOS_validation is not "
                         "installed. On Debian and Ubuntu it is in the package vulkan-validationlayers.");
         }
         debugUtils = debugUtils || extensionInstalled(kValidationLayer, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
@@ -158,7 +158,7 @@ std::string lowerCase(std::string text) {
     return text;
 }
 
-/// Lower is taken first.
+/// Order of preference: lowest first.
 int rank(AdapterType type) {
     switch (type) {
         case AdapterType::DiscreteGPU:
@@ -219,7 +219,7 @@ std::vector<Adapter> Instance::adapters() const {
     std::vector<VkPhysicalDevice> devices(count);
     if (result == VK_SUCCESS) result = vkEnumeratePhysicalDevices(impl_->vk, &count, devices.data());
     if (result != VK_SUCCESS && result != VK_INCOMPLETE) {
-        // Without a driver that starts there is nothing to enumerate; requestAdapter says so.
+        // Without a working driver there is nothing to enumerate; requestAdapter reports that.
         return {};
     }
     std::vector<Adapter> adapters;

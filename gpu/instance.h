@@ -11,11 +11,11 @@
 
 namespace gpu {
 
-/// How much the Vulkan validation layer (core and synchronization checks) is listened to.
+/// Use of the Vulkan validation layer (core and synchronization checks).
 enum class ValidationMode {
     Off,
     On,     ///< warnings and errors go to the callback, or to stderr
-    Fatal,  ///< the same, then abort(): for tests
+    Fatal,  ///< like On, then abort(): for tests
 };
 
 /// PATINA_VALIDATION: unset or "0" is Off, "1" is On, "fatal" is Fatal. Any other value throws Error(Validation).
@@ -28,20 +28,20 @@ struct InstanceDescriptor {
     ValidationCallback validationCallback = {};  ///< called on the thread of the offending call, before abort()
 };
 
-/// The Vulkan loader with its drivers: the beginning of everything.
+/// The Vulkan loader with its drivers; the first object to create.
 class Instance : public Handle<detail::InstanceImpl> {
   public:
     using Handle::Handle;
 
-    /// Throws Error(NoAdapter) when the loader finds no Vulkan 1.1 driver, Error(Internal) when validation is asked for
+    /// Throws Error(NoAdapter) when the loader finds no Vulkan 1.1 driver, Error(Internal) when validation is requested
     /// but the layer is not installed (the message says which package is missing).
     [[nodiscard]] static Instance create(const InstanceDescriptor& descriptor = {});
 
     /// Every adapter with Vulkan 1.1 and a queue for compute and graphics, in the loader's order; may be empty.
     [[nodiscard]] std::vector<Adapter> adapters() const;
 
-    /// One adapter: `options.device` if given, else environment PATINA_DEVICE, else by kind (discrete, integrated,
-    /// virtual, software). Throws Error(NoAdapter), listing what there is, when nothing fits.
+    /// One adapter: `options.device` if given, otherwise environment PATINA_DEVICE, otherwise by kind (discrete,
+    /// integrated, virtual, software). Throws Error(NoAdapter), listing the adapters, when none matches.
     [[nodiscard]] Adapter requestAdapter(const RequestAdapterOptions& options = {}) const;
 
     /// Warnings and errors the validation layer has reported so far.

@@ -56,7 +56,7 @@ PassTimer::Region::~Region() {
     try {
         end();
     } catch (const Error&) {
-        // Left by an exception with a pass open: the region is lost, its queries are not used again.
+        // Left by an exception with an open pass: the region is lost and its queries are never reused.
     }
 }
 
@@ -64,8 +64,8 @@ void PassTimer::Region::end() {
     if (!data_) return;
     const std::unique_ptr<Data> data = std::move(data_);
     data->encoder.writeTimestamp(data->state->queries, 2 * data->index + 1);
-    // The timer may be gone before the device is done; and a strong reference would keep the device alive through
-    // its own list of callbacks.
+    // Weak, because the timer may die before the device is done, and a strong reference would keep the device alive
+    // through its own list of callbacks.
     const std::weak_ptr<State> state = data->state;
     data->encoder.onCompleted([state, label = std::move(data->label), index = data->index] {
         const std::shared_ptr<State> timer = state.lock();

@@ -11,13 +11,13 @@
 
 namespace gpu {
 
-/// Measures how long labelled regions take on the device, without ever waiting for it.
+/// Measures the time of labelled regions on the device, without ever waiting for it.
 ///
 /// Results arrive when the work has completed, for own submissions (device.tick()) and for adopted frames (when the
 /// frame's slot begins again). On a device without timestamps `supported()` is false and nothing is reported.
 class PassTimer {
   public:
-    /// `capacity` regions may be in flight at once; more are not measured (and counted in `dropped`).
+    /// At most `capacity` regions may be in flight at once; further ones are only counted in `dropped`.
     explicit PassTimer(const Device& device, std::uint32_t capacity = 64);
 
     struct Timing {
@@ -42,7 +42,7 @@ class PassTimer {
 
     [[nodiscard]] bool supported() const;
     [[nodiscard]] Region measure(const CommandEncoder& encoder, std::string label);
-    /// Everything that has arrived since the last call, in order of completion.
+    /// Results since the last call, in order of completion.
     [[nodiscard]] std::vector<Timing> takeResults();
     [[nodiscard]] std::uint64_t dropped() const;
 

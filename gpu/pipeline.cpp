@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "gpu/detail/bindings.h"
 #include "gpu/detail/device_impl.h"
@@ -17,8 +18,7 @@ namespace detail {
 std::shared_ptr<PipelineLayoutImpl> deriveLayout(DeviceImpl& device, const std::string& label,
                                                  const std::vector<const ShaderModuleImpl*>& modules) {
     std::vector<std::vector<BindGroupLayoutEntry>> groups;
-    std::uint32_t pushConstantSize = 0;
-    ShaderStage pushConstantStages = ShaderStage::None;
+    std::uint32_t immediateSize = 0;
     for (const ShaderModuleImpl* module : modules) {
         const Reflection& reflection = module->reflection;
         for (const ReflectedBinding& reflected : reflection.bindings) {
@@ -45,18 +45,14 @@ std::shared_ptr<PipelineLayoutImpl> deriveLayout(DeviceImpl& device, const std::
             same->visibility |= reflection.stage;
             same->minBindingSize = std::max(same->minBindingSize, reflected.minBindingSize);
         }
-        if (reflection.pushConstantSize > 0) {
-            pushConstantSize = std::max(pushConstantSize, (reflection.pushConstantSize + 3) / 4 * 4);
-            pushConstantStages |= reflection.stage;
-        }
+        immediateSize = std::max(immediateSize, (reflection.immediateSize + 3) / 4 * 4);
     }
     std::vector<std::shared_ptr<BindGroupLayoutImpl>> layouts;
     for (std::size_t i = 0; i < groups.size(); ++i) {
         BindGroupLayoutDescriptor descriptor{.label = text(label, " group ", i), .entries = std::move(groups[i])};
         layouts.push_back(std::make_shared<BindGroupLayoutImpl>(device, descriptor));
     }
-    return std::make_shared<PipelineLayoutImpl>(device, label, std::move(layouts), pushConstantSize,
-                                                pushConstantStages);
+    return std::make_shared<PipelineLayoutImpl>(device, label, std::move(layouts), immediateSize);
 }
 
 void requireLayoutFits(const PipelineLayoutImpl& layout, const ShaderModuleImpl& module, const std::string& pipeline) {
@@ -77,54 +73,62 @@ void requireLayoutFits(const PipelineLayoutImpl& layout, const ShaderModuleImpl&
                 needed.minBindingSize, " bytes; pipeline layout ", quoted(layout.label()), " promises ",
                 entry->minBindingSize, ".");
     }
-    require(module.reflection.pushConstantSize <= layout.pushConstantSize &&
-                (module.reflection.pushConstantSize == 0 || has(layout.pushConstantStages, module.reflection.stage)),
-            "Pipeline ", quoted(pipeline), ": shader module ", quoted(module.label()), " declares ",
-            module.reflection.pushConstantSize, " bytes of push constants; pipeline layout ", quoted(layout.label()),
-            " has ", layout.pushConstantSize, ".");
+    require(module.reflection.immediateSize <= layout.immediateSize, "Pipeline ", quoted(pipeline), ": shader module ",
+            quoted(module.label()), " declares ", module.reflection.immediateSize,
+            " bytes of immediates; pipeline layout ", quoted(layout.label()), " has ", layout.immediateSize, ".");
 }
+
+namespace {
+
+/// The constant a key names: by its constant_id when the key is a number, otherwise by its name.
+const ReflectedConstant* findConstant(const std::vector<ReflectedConstant>& known, const std::string& key) {
+    std::uint32_t id = 0;
+    const char* end = key.data() + key.size();
+    const auto parsed = std::from_chars(key.data(), end, id);
+    const bool byId = parsed.ec == std::errc() && parsed.ptr == end;
+    const auto found = std::find_if(known.begin(), known.end(), [&](const ReflectedConstant& reflected) {
+        return byId ? reflected.id == id : reflected.name == key;
+    });
+    return found == known.end() ? nullptr : &*found;
+}
+
+/// The 32 bits of a value of this kind; nullopt when the kind cannot hold it.
+std::optional<std::uint32_t> constantBits(ConstantKind kind, double value) {
+    if (!std::isfinite(value)) return std::nullopt;
+    const auto wholeWithin = [value](double min, double max) {
+        return value == std::trunc(value) && value >= min && value <= max;
+    };
+    switch (kind) {
+        case ConstantKind::Bool:
+            if (value != 0 && value != 1) return std::nullopt;
+            return value != 0 ? VK_TRUE : VK_FALSE;
+        case ConstantKind::Int:
+            if (!wholeWithin(std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max())) break;
+            return static_cast<std::uint32_t>(static_cast<std::int32_t>(value));
+        case ConstantKind::Uint:
+            if (!wholeWithin(0, std::numeric_limits<std::uint32_t>::max())) break;
+            return static_cast<std::uint32_t>(value);
+        case ConstantKind::Float:
+            if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max())) break;
+            return std::bit_cast<std::uint32_t>(static_cast<float>(value));
+    }
+    return std::nullopt;
+}
+
+}  // namespace
 
 Specialization::Specialization(const std::vector<ConstantEntry>& constants, const ShaderModuleImpl& module,
                                const std::string& pipeline) {
     for (const ConstantEntry& constant : constants) {
-        std::uint32_t id = 0;
-        const char* end = constant.key.data() + constant.key.size();
-        const auto parsed = std::from_chars(constant.key.data(), end, id);
-        const bool byId = parsed.ec == std::errc() && parsed.ptr == end;
-        const auto& known = module.reflection.constants;
-        const auto found = std::find_if(known.begin(), known.end(), [&](const ReflectedConstant& reflected) {
-            return byId ? reflected.id == id : reflected.name == constant.key;
-        });
-        require(found != known.end(), "Pipeline ", quoted(pipeline), " sets constant \"", constant.key,
+        const ReflectedConstant* found = findConstant(module.reflection.constants, constant.key);
+        require(found != nullptr, "Pipeline ", quoted(pipeline), " sets constant \"", constant.key,
                 "\", which shader module ", quoted(module.label()), " does not have.");
         require(!values_.contains(found->id), "Pipeline ", quoted(pipeline), " sets constant \"", constant.key,
                 "\" twice.");
-        const double value = constant.value;
-        std::uint32_t bits = 0;
-        bool fits = std::isfinite(value);
-        switch (found->kind) {
-            case ConstantKind::Bool:
-                fits = fits && (value == 0 || value == 1);
-                bits = value != 0 ? VK_TRUE : VK_FALSE;
-                break;
-            case ConstantKind::Int:
-                fits = fits && value == std::trunc(value) && value >= std::numeric_limits<std::int32_t>::min() &&
-                       value <= std::numeric_limits<std::int32_t>::max();
-                if (fits) bits = static_cast<std::uint32_t>(static_cast<std::int32_t>(value));
-                break;
-            case ConstantKind::Uint:
-                fits = fits && value == std::trunc(value) && value >= 0 &&
-                       value <= std::numeric_limits<std::uint32_t>::max();
-                if (fits) bits = static_cast<std::uint32_t>(value);
-                break;
-            case ConstantKind::Float:
-                fits = fits && std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max());
-                if (fits) bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
-                break;
-        }
-        require(fits, "Pipeline ", quoted(pipeline), " sets constant \"", constant.key, "\" to ", value,
-                ", which its type cannot hold.");
-        values_[found->id] = bits;
+        const std::optional<std::uint32_t> bits = constantBits(found->kind, constant.value);
+        require(bits.has_value(), "Pipeline ", quoted(pipeline), " sets constant \"", constant.key, "\" to ",
+                constant.value, ", which its type cannot hold.");
+        values_[found->id] = *bits;
     }
     for (const auto& [id, bits] : values_) {
         entries_.push_back(
@@ -199,7 +203,7 @@ ComputePipelineImpl::ComputePipelineImpl(DeviceImpl& owner, const ComputePipelin
 
 void ComputePipelineImpl::finish() {
     source_.reset();
-    if (vk_ != VK_NULL_HANDLE) device().setName(VK_OBJECT_TYPE_PIPELINE, handleNumber(vk_), label());
+    if (vk_ != VK_NULL_HANDLE) device().labels().setName(VK_OBJECT_TYPE_PIPELINE, vk_, label());
 }
 
 VkPipeline ComputePipelineImpl::compiled() {

@@ -16,7 +16,7 @@ namespace gpu {
 
 struct ExternalRenderTarget;  // gpu/adopt.h
 
-/// Value of a specialization constant, by its name in GLSL or its constant_id in decimals.
+/// Value of a specialization constant, by its name in GLSL or its constant_id in decimal.
 struct ConstantEntry {
     std::string key = {};
     double value = 0;
@@ -76,7 +76,7 @@ struct RenderPipelineDescriptor {
     PrimitiveTopology topology = PrimitiveTopology::TriangleList;
     CullMode cullMode = CullMode::None;
     std::vector<ColorTargetState> targets = {};
-    const ExternalRenderTarget* externalTarget = nullptr;  ///< for windows: the render pass somebody else made
+    const ExternalRenderTarget* externalTarget = nullptr;  ///< for windows: render pass of another owner
     std::vector<ConstantEntry> vertexConstants = {};
     std::vector<ConstantEntry> fragmentConstants = {};
 };

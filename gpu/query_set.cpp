@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/query_set.h"
 
+#include "gpu/detail/device_impl.h"
 #include "gpu/detail/resources.h"
 
 namespace gpu {
@@ -18,7 +19,7 @@ QuerySetImpl::QuerySetImpl(DeviceImpl& owner, const QuerySetDescriptor& descript
     info.queryType = VK_QUERY_TYPE_TIMESTAMP;
     info.queryCount = count;
     owner.check(vkCreateQueryPool(owner.vk(), &info, nullptr, &vk), "vkCreateQueryPool", label());
-    owner.setName(VK_OBJECT_TYPE_QUERY_POOL, handleNumber(vk), label());
+    owner.labels().setName(VK_OBJECT_TYPE_QUERY_POOL, vk, label());
 }
 
 void QuerySetImpl::release() noexcept {

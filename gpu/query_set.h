@@ -15,7 +15,7 @@ struct QuerySetDescriptor {
     std::uint32_t count = 0;
 };
 
-/// Places for timestamps. Ticks of `Limits::timestampPeriod` nanoseconds; making one on a device without
+/// Slots for timestamps, in ticks of `Limits::timestampPeriod` nanoseconds; creating one on a device without
 /// `Limits::timestamps` is a validation error.
 class QuerySet : public Handle<detail::QuerySetImpl> {
   public:

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "gpu/detail/commands.h"
+#include "gpu/detail/command_buffer.h"
 #include "gpu/detail/copies.h"
 #include "gpu/detail/device_impl.h"
 
@@ -31,7 +31,7 @@ void Queue::submit(std::span<const CommandBuffer> commandBuffers) const {
                             " is submitted twice at once.");
             internal.push_back(detail::internalReference(resolved));
         }
-        device.submit(internal);
+        device.inFlight().submit(internal);
     });
 }
 
@@ -68,11 +68,11 @@ void Queue::writeTexture(const TexelCopyTextureInfo& destination, const void* da
         const auto* source = static_cast<const std::byte*>(data) + layout.offset;
         for (std::size_t row = 0; row < writeSize.height;) {
             const std::size_t rows = std::min<std::size_t>(rowsPerPiece, writeSize.height - row);
-            const auto staging = device.stage(rows * rowBytes);
+            const auto staging = device.inFlight().stage(rows * rowBytes);
             for (std::size_t i = 0; i < rows; ++i) {
                 std::memcpy(staging.data + i * rowBytes, source + (row + i) * stride, rowBytes);
             }
-            detail::CommandBufferImpl& writes = device.pendingWrites();
+            detail::CommandBufferImpl& writes = device.inFlight().pendingWrites();
             writes.use(texture, destination.mipLevel, detail::kCopyWrite);
             writes.barrier();
             VkBufferImageCopy region = {};
@@ -83,7 +83,7 @@ void Queue::writeTexture(const TexelCopyTextureInfo& destination, const void* da
             region.imageExtent = {writeSize.width, static_cast<std::uint32_t>(rows), 1};
             vkCmdCopyBufferToImage(writes.vk, staging.buffer->vk, texture.vk, VK_IMAGE_LAYOUT_GENERAL, 1, &region);
             row += rows;
-            device.limitStagedBytes(4 * kPiece);
+            device.inFlight().limitStagedBytes(4 * kPiece);
         }
     });
 }
@@ -105,8 +105,9 @@ void Queue::writeTexture(const Texture& texture, const void* data, std::size_t d
 void Queue::onSubmittedWorkDone(std::function<void()> callback) const {
     detail::DeviceImpl& device = queueDevice(impl_);
     device.guarded([&] {
-        device.flushPendingWrites();
-        device.whenDone(device.lastSubmission(), device.lastFrame(), [callback = std::move(callback)](bool) {
+        detail::InFlight& inFlight = device.inFlight();
+        inFlight.flushPendingWrites();
+        inFlight.whenDone(inFlight.lastSubmission(), inFlight.lastFrame(), [callback = std::move(callback)](bool) {
             if (callback) callback();
         });
     });

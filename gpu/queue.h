@@ -30,7 +30,7 @@ class Queue : public Handle<detail::DeviceImpl> {
     }
     void submit(const CommandBuffer& commandBuffer) const { submit(std::span(&commandBuffer, 1)); }
 
-    /// Copies `data` into the buffer (usage CopyDst). The data is taken before the call returns. Any size.
+    /// Copies `data` into the buffer (usage CopyDst). The data is copied before the call returns. Any size.
     void writeBuffer(const Buffer& buffer, std::uint64_t offset, const void* data, std::size_t size) const;
     template <class T>
     requires std::is_trivially_copyable_v<T>
@@ -46,10 +46,10 @@ class Queue : public Handle<detail::DeviceImpl> {
     /// Copies texels into one level of a texture (usage CopyDst). Any size.
     void writeTexture(const TexelCopyTextureInfo& destination, const void* data, std::size_t dataSize,
                       const TexelCopyBufferLayout& layout, const Extent3D& writeSize) const;
-    /// The same for tightly packed rows that fill level 0.
+    /// Same, for tightly packed rows that fill level 0.
     void writeTexture(const Texture& texture, const void* data, std::size_t dataSize) const;
 
-    /// Called, from tick() or a later call on this thread, when everything submitted so far has completed.
+    /// The callback runs, inside tick() or a later call on this thread, once everything submitted so far has completed.
     void onSubmittedWorkDone(std::function<void()> callback) const;
 };
 

@@ -11,7 +11,7 @@ namespace gpu {
 
 namespace {
 
-/// Submits what `record` writes into a readable buffer of `size` bytes, waits, and copies the bytes out.
+/// Submits the commands of `record`, which fill a readable buffer of `size` bytes, waits, and copies the bytes out.
 template <class F>
 void readThrough(const Device& device, std::size_t size, void* destination, F&& record) {
     const Buffer staging =

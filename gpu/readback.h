@@ -32,7 +32,7 @@ requires std::is_trivially_copyable_v<T>
 [[nodiscard]] std::vector<std::byte> readTexture(const Device& device, const Texture& texture,
                                                  std::uint32_t mipLevel = 0);
 
-/// The same as values, for example floats: 4 a texel for rgba32float. Throws Error(Validation) when sizeof(T) does not
+/// Same as values, for example floats: 4 per texel for rgba32float. Throws Error(Validation) when sizeof(T) does not
 /// divide the texel size.
 template <class T>
 requires std::is_trivially_copyable_v<T>

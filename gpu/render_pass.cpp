@@ -163,7 +163,7 @@ void RenderPassImpl::end() {
         encoder->writeTimestamp(*timestampWrites_->querySet.impl(), index, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT);
     };
     if (timestampWrites_) timestamp(timestampWrites_->beginningOfPassWriteIndex);
-    encoder->device()->beginLabel(commands.vk, label);
+    encoder->device()->labels().begin(commands.vk, label);
     scope.record(commands);
     VkRenderPassBeginInfo info = {};
     info.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;
@@ -175,7 +175,7 @@ void RenderPassImpl::end() {
     vkCmdBeginRenderPass(commands.vk, &info, VK_SUBPASS_CONTENTS_INLINE);
     for (const auto& command : recorded) command(commands.vk);
     vkCmdEndRenderPass(commands.vk);
-    encoder->device()->endLabel(commands.vk);
+    encoder->device()->labels().end(commands.vk);
     if (timestampWrites_) timestamp(timestampWrites_->endOfPassWriteIndex);
     recorded.clear();
 }
@@ -241,8 +241,9 @@ void RenderPassEncoder::setBindGroup(std::uint32_t index, const BindGroup& group
     });
 }
 
-void RenderPassEncoder::setPushConstants(const void* data, std::size_t size) const {
-    record(impl_, [&](detail::RenderPassImpl& pass) { pass.bindings.setPushConstants(data, size, pass.label); });
+void RenderPassEncoder::setImmediates(std::uint32_t rangeOffset, const void* data, std::size_t size) const {
+    record(impl_,
+           [&](detail::RenderPassImpl& pass) { pass.bindings.setImmediates(rangeOffset, data, size, pass.label); });
 }
 
 void RenderPassEncoder::setVertexBuffer(std::uint32_t slot, const Buffer& handle, std::uint64_t offset) const {

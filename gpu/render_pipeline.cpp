@@ -39,13 +39,13 @@ VkRenderPass createRenderPass(DeviceImpl& device, const std::vector<TextureForma
     info.pSubpasses = &subpass;
     VkRenderPass renderPass = VK_NULL_HANDLE;
     device.check(vkCreateRenderPass(device.vk(), &info, nullptr, &renderPass), "vkCreateRenderPass", label);
-    device.setName(VK_OBJECT_TYPE_RENDER_PASS, handleNumber(renderPass), label);
+    device.labels().setName(VK_OBJECT_TYPE_RENDER_PASS, renderPass, label);
     return renderPass;
 }
 
 namespace {
 
-/// What a pipeline's create info points to; it must stay in place until the call.
+/// Arrays that a pipeline's create info points to; must stay in place until the call.
 struct FixedState {
     std::vector<VkVertexInputBindingDescription> vertexBindings;
     std::vector<VkVertexInputAttributeDescription> vertexAttributes;
@@ -109,6 +109,12 @@ RenderPipelineImpl::RenderPipelineImpl(DeviceImpl& owner, const RenderPipelineDe
     } else {
         layout = deriveLayout(owner, label(), {&vertex, &fragment});
     }
+    create(descriptor, vertex, fragment);
+}
+
+void RenderPipelineImpl::create(const RenderPipelineDescriptor& descriptor, const ShaderModuleImpl& vertex,
+                                const ShaderModuleImpl& fragment) {
+    DeviceImpl& owner = device();
     const Specialization vertexConstants(descriptor.vertexConstants, vertex, label());
     const Specialization fragmentConstants(descriptor.fragmentConstants, fragment, label());
     const std::array stages = {stageInfo(vertex, VK_SHADER_STAGE_VERTEX_BIT, vertexConstants),
@@ -169,7 +175,7 @@ RenderPipelineImpl::RenderPipelineImpl(DeviceImpl& owner, const RenderPipelineDe
     const VkResult result = vkCreateGraphicsPipelines(owner.vk(), owner.pipelineCache(), 1, &info, nullptr, &vk);
     if (!external) vkDestroyRenderPass(owner.vk(), info.renderPass, nullptr);
     owner.check(result, "vkCreateGraphicsPipelines", label());
-    owner.setName(VK_OBJECT_TYPE_PIPELINE, handleNumber(vk), label());
+    owner.labels().setName(VK_OBJECT_TYPE_PIPELINE, vk, label());
 }
 
 void RenderPipelineImpl::release() noexcept {

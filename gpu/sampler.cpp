@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/sampler.h"
 
+#include "gpu/detail/device_impl.h"
 #include "gpu/detail/resources.h"
 #include "gpu/detail/vulkan_map.h"
 
@@ -27,7 +28,7 @@ SamplerImpl::SamplerImpl(DeviceImpl& owner, const SamplerDescriptor& descriptor)
     info.minLod = descriptor.lodMinClamp;
     info.maxLod = descriptor.lodMaxClamp;
     owner.check(vkCreateSampler(owner.vk(), &info, nullptr, &vk), "vkCreateSampler", label());
-    owner.setName(VK_OBJECT_TYPE_SAMPLER, handleNumber(vk), label());
+    owner.labels().setName(VK_OBJECT_TYPE_SAMPLER, vk, label());
 }
 
 void SamplerImpl::release() noexcept {

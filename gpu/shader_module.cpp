@@ -61,14 +61,14 @@ ShaderModuleImpl::ShaderModuleImpl(DeviceImpl& owner, const ShaderModuleDescript
                 " needs SPIR-V capability ", capability,
                 ", which belongs to an optional feature; only what every Vulkan 1.1 device has is enabled.");
     }
-    require(reflection.pushConstantSize <= kMaxPushConstantSize, "Shader module ", quoted(label()), " declares ",
-            reflection.pushConstantSize, " bytes of push constants; ", kMaxPushConstantSize, " are allowed.");
+    require(reflection.immediateSize <= kMaxImmediateSize, "Shader module ", quoted(label()), " declares ",
+            reflection.immediateSize, " bytes of immediates; ", kMaxImmediateSize, " are allowed.");
     VkShaderModuleCreateInfo info = {};
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     info.codeSize = descriptor.code.size_bytes();
     info.pCode = descriptor.code.data();
     owner.check(vkCreateShaderModule(owner.vk(), &info, nullptr, &vk), "vkCreateShaderModule", label());
-    owner.setName(VK_OBJECT_TYPE_SHADER_MODULE, handleNumber(vk), label());
+    owner.labels().setName(VK_OBJECT_TYPE_SHADER_MODULE, vk, label());
 }
 
 void ShaderModuleImpl::release() noexcept {
@@ -91,7 +91,7 @@ detail::ShaderModuleImpl& moduleOf(const std::shared_ptr<detail::ShaderModuleImp
 const std::string& ShaderModule::label() const { return moduleOf(impl_).label(); }
 ShaderStage ShaderModule::stage() const { return moduleOf(impl_).reflection.stage; }
 std::array<std::uint32_t, 3> ShaderModule::workgroupSize() const { return moduleOf(impl_).reflection.workgroupSize; }
-std::uint32_t ShaderModule::pushConstantSize() const { return moduleOf(impl_).reflection.pushConstantSize; }
+std::uint32_t ShaderModule::immediateSize() const { return moduleOf(impl_).reflection.immediateSize; }
 
 BlockLayout ShaderModule::blockLayout(std::string_view structName) const {
     const detail::ShaderModuleImpl& module = moduleOf(impl_);

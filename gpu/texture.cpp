@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "gpu/detail/commands.h"
+#include "gpu/detail/command_buffer.h"
+#include "gpu/detail/device_impl.h"
 #include "gpu/detail/resources.h"
 #include "gpu/detail/vulkan_map.h"
 
@@ -76,13 +77,13 @@ TextureImpl::TextureImpl(DeviceImpl& owner, const TextureDescriptor& descriptor)
     info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
     try {
         owner.check(vkCreateImage(owner.vk(), &info, nullptr, &vk), "vkCreateImage", label());
-        owner.setName(VK_OBJECT_TYPE_IMAGE, handleNumber(vk), label());
+        owner.labels().setName(VK_OBJECT_TYPE_IMAGE, vk, label());
         VkMemoryRequirements requirements;
         vkGetImageMemoryRequirements(owner.vk(), vk, &requirements);
         require(requirements.size <= owner.limits().maxBufferSize, "Texture ", quoted(label()), " (", size.width, "x",
                 size.height, ", ", toString(format), ") needs ", requirements.size, " bytes; this device allows ",
                 owner.limits().maxBufferSize, ".");
-        allocation_ = owner.allocate(
+        allocation_ = owner.memory().allocate(
             requirements, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, true,
             text("texture ", quoted(label()), " (", size.width, "x", size.height, ", ", toString(format), ")"));
         owner.check(vkBindImageMemory(owner.vk(), vk, allocation_.memory, 0), "vkBindImageMemory", label());
@@ -93,7 +94,7 @@ TextureImpl::TextureImpl(DeviceImpl& owner, const TextureDescriptor& descriptor)
 }
 
 void TextureImpl::zero() {
-    CommandBufferImpl& writes = device().pendingWrites();
+    CommandBufferImpl& writes = device().inFlight().pendingWrites();
     VkImageMemoryBarrier barrier = {};
     barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
     barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
@@ -114,7 +115,7 @@ void TextureImpl::release() noexcept {
     if (vk == VK_NULL_HANDLE) return;
     vkDestroyImage(device().vk(), vk, nullptr);
     vk = VK_NULL_HANDLE;
-    device().free(allocation_);
+    device().memory().free(allocation_);
 }
 
 std::uint32_t TextureImpl::mipWidth(std::uint32_t level) const { return std::max(1u, size.width >> level); }
@@ -142,7 +143,7 @@ TextureViewImpl::TextureViewImpl(DeviceImpl& owner, TextureImpl& viewed, const T
     info.format = toVulkan(viewed.format);
     info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, baseMipLevel, mipLevelCount, 0, 1};
     owner.check(vkCreateImageView(owner.vk(), &info, nullptr, &vk), "vkCreateImageView", label());
-    owner.setName(VK_OBJECT_TYPE_IMAGE_VIEW, handleNumber(vk), label());
+    owner.labels().setName(VK_OBJECT_TYPE_IMAGE_VIEW, vk, label());
 }
 
 void TextureViewImpl::release() noexcept {

@@ -23,7 +23,7 @@ struct TextureViewDescriptor {
     std::uint32_t mipLevelCount = kAllMipLevels;
 };
 
-/// Some levels of a texture, as a shader or an attachment sees them. A storage or attachment view has one level.
+/// Some levels of a texture, for a shader or an attachment. A storage or attachment view has one level.
 class TextureView : public Handle<detail::TextureViewImpl> {
   public:
     using Handle::Handle;
@@ -54,14 +54,14 @@ class Texture : public Handle<detail::TextureImpl> {
     }
 };
 
-/// A place in a texture that a copy reads or writes.
+/// Location in a texture for a copy.
 struct TexelCopyTextureInfo {
     Texture texture = {};
     std::uint32_t mipLevel = 0;
     Origin3D origin = {};
 };
 
-/// How texels lie in a buffer or in memory.
+/// Layout of texels in a buffer or in memory.
 struct TexelCopyBufferLayout {
     std::uint64_t offset = 0;       ///< bytes; a multiple of the texel size and of 4
     std::uint32_t bytesPerRow = 0;  ///< a multiple of the texel size; 0 = tightly packed

@@ -97,7 +97,7 @@ enum class ErrorFilter { Validation, OutOfMemory, Internal };
 enum class DeviceLostReason { Unknown, Destroyed };
 enum class AdapterType { DiscreteGPU, IntegratedGPU, VirtualGPU, CPU, Unknown };
 
-/// What kind of thing a shader expects at a binding.
+/// Kind of resource a shader expects at a binding.
 enum class BindingType {
     UniformBuffer,
     StorageBuffer,
@@ -110,7 +110,7 @@ enum class BindingType {
     ReadWriteStorageTexture,
 };
 
-/// What a sampled texture gives a shader.
+/// Type of the values a shader reads from a sampled texture.
 enum class TextureSampleType { Any, Float, Uint, Sint };
 
 /// Size in texels. Textures are two-dimensional: the third extent must be 1.
@@ -139,16 +139,16 @@ struct Color {
 
 /// "From the offset to the end".
 inline constexpr std::uint64_t kWholeSize = ~std::uint64_t{0};
-/// "All levels that are left".
+/// "All remaining levels".
 inline constexpr std::uint32_t kAllMipLevels = ~std::uint32_t{0};
-/// Push constants every Vulkan device has room for [bytes]; nothing larger is accepted on any device.
-inline constexpr std::uint32_t kMaxPushConstantSize = 128;
+/// WebGPU's limit maxImmediateSize [bytes], the same on every device; Vulkan guarantees 128.
+inline constexpr std::uint32_t kMaxImmediateSize = 64;
 
-/// What a device can do; sizes in bytes. Values of the Vulkan device, so at least Vulkan's guaranteed minimum.
+/// Limits of a device; sizes in bytes. Values of the Vulkan device, so at least Vulkan's guaranteed minimum.
 struct Limits {
     std::uint32_t maxTextureDimension2D = 0;
     std::uint32_t maxBindGroups = 0;
-    std::uint64_t maxBufferSize = 0;  ///< of one buffer's or texture's allocation
+    std::uint64_t maxBufferSize = 0;  ///< largest allocation of one buffer or texture
     std::uint64_t maxUniformBufferBindingSize = 0;
     std::uint64_t maxStorageBufferBindingSize = 0;
     std::uint32_t minUniformBufferOffsetAlignment = 0;
@@ -160,6 +160,7 @@ struct Limits {
     std::uint32_t maxComputeWorkgroupSizeZ = 0;
     std::uint32_t maxComputeWorkgroupsPerDimension = 0;  ///< the smallest of x, y, z
     std::uint32_t maxColorAttachments = 0;
+    std::uint32_t maxImmediateSize = kMaxImmediateSize;
     std::uint64_t deviceMemory = 0;  ///< largest device-local heap
     bool timestamps = false;         ///< whether timestamp queries work on the compute and graphics queue
     double timestampPeriod = 0;      ///< nanoseconds per timestamp tick; 0 without timestamps

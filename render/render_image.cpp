@@ -16,7 +16,7 @@ core::ImageRgb readResult(const gpu::Device& device, const Renderer& renderer) {
 core::ImageRgb renderImage(gpu::Device device, const core::Scene& scene,
                            const std::shared_ptr<const core::Analysis>& analysis, const core::Progress& progress,
                            Renderer::Progress* reached) {
-    // Long enough to keep the device busy between submissions, short enough to be cancelled at once.
+    // Long enough to keep the device busy between submissions, short enough for prompt cancellation.
     constexpr double kSubmissionSeconds = 0.12;
     Renderer renderer(device);
     renderer.setScene(scene, analysis);

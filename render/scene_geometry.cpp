@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <limits>
 
+#include "core/base/clock.h"
 #include "gpu/adapter.h"
 #include "kernels/build_pyramid.h"
 #include "render/kernels/kernels.h"
@@ -14,8 +14,8 @@ namespace render {
 namespace {
 
 constexpr std::size_t kTexelBytes = 4 * sizeof(float);
-constexpr std::uint64_t kSmallestPyramid = 16 * 16;  // fits anywhere
-constexpr int kTexelsAtOnce = 1 << 16;               // of each layer: some milliseconds
+constexpr std::uint64_t kMinPyramidCells = 16 * 16;  // fits on any device
+constexpr int kTexelsAtOnce = 1 << 16;               // per layer; takes some milliseconds
 
 /// Cells of 2^level pixels along `pixels`.
 std::uint32_t cellsAlong(std::uint32_t pixels, std::uint32_t level) {
@@ -36,14 +36,14 @@ std::uint64_t PyramidShape::cells() const {
 }
 
 PyramidShape pyramidShape(std::uint32_t width, std::uint32_t height, std::uint64_t maxCells) {
-    constexpr std::uint32_t kLevels = 8;  // cells of 256 pixels: a ray crosses the picture in a few
+    constexpr std::uint32_t kLevels = 8;  // up to cells of 256 pixels, few of which cross a picture
     PyramidShape shape;
     const auto levels = std::min(static_cast<std::uint32_t>(std::bit_width(std::max(width, height) - 1)), kLevels);
     for (shape.finest = 0;; ++shape.finest) {
         shape.top = std::max(levels, shape.finest);
         shape.blocks = (cellsAlong(width, shape.finest) + 3) / 4;
         shape.rows = cellsAlong(height, shape.top) << (shape.top - shape.finest);
-        if (shape.cells() <= maxCells || shape.cells() <= kSmallestPyramid) return shape;
+        if (shape.cells() <= maxCells || shape.cells() <= kMinPyramidCells) return shape;
     }
 }
 
@@ -145,8 +145,8 @@ void SceneGeometry::begin(const Source& source) {
     camera_ = layers.camera;
     width_ = width;
     height_ = height;
-    leastW_ = kernel::kEmptyRangeMin;
-    greatestW_ = kernel::kEmptyRangeMax;
+    minW_ = kernel::kEmptyRangeMin;
+    maxW_ = kernel::kEmptyRangeMax;
     frontPatch_ = makeLayer("front patch");
     backPatch_ = makeLayer("back patch");
     constexpr std::uint64_t kRow = kernel::kPyramidWidth;
@@ -161,7 +161,7 @@ void SceneGeometry::begin(const Source& source) {
 }
 
 bool SceneGeometry::uploadRows(double seconds) {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = core::Clock::now();
     const auto height = static_cast<int>(height_);
     const int rowsAtOnce = std::max(1, kTexelsAtOnce / static_cast<int>(std::max(width_, 1u)));
     while (source_.layers != nullptr) {
@@ -179,7 +179,7 @@ bool SceneGeometry::uploadRows(double seconds) {
             source_ = {};
             texels_ = {};
         }
-        if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > seconds) break;
+        if (core::secondsSince(start) > seconds) break;
     }
     return source_.layers == nullptr;
 }
@@ -201,8 +201,8 @@ void SceneGeometry::uploadPatches(int firstRow, int rows) {
         const float texel[] = {f.w, f.gu, f.gv, static_cast<float>(layers.labels[first + i])};
         std::copy_n(texel, 4, &texels_[4 * i]);
         const kernel::vec2 range = kernel::pixelRange({f.w, f.gu, f.gv, 0}, {b.w, b.gu, b.gv, 0});
-        leastW_ = std::min(leastW_, range.x);
-        greatestW_ = std::max(greatestW_, range.y);
+        minW_ = std::min(minW_, range.x);
+        maxW_ = std::max(maxW_, range.y);
     }
     writeRows(frontPatch_, firstRow, rows);
     for (std::size_t i = 0; i < count; ++i) {
@@ -265,8 +265,8 @@ const gpu::BindGroup& SceneGeometry::bindGroup() {
     block.pyramidFinest = shape_.finest;
     block.pyramidRows = shape_.rows;
     block.pyramidBlocks = shape_.blocks;
-    block.leastW = leastW_;
-    block.greatestW = greatestW_;
+    block.minW = minW_;
+    block.maxW = maxW_;
     device_.queue().writeBuffer(block_, 0, &block, sizeof(block));
     group_ = device_.createBindGroup(
         {.label = "geometry",
@@ -304,15 +304,15 @@ void SceneGeometry::recordPyramid(const gpu::CommandEncoder& encoder) {
     block.finest = shape_.finest;
     block.blocks = shape_.blocks;
     block.rows = shape_.rows;
-    block.leastW = leastW_;
-    block.scale = kernel::rangeScale(leastW_, greatestW_);
+    block.minW = minW_;
+    block.scale = kernel::rangeScale(minW_, maxW_);
     block.sourceWidth = width_;
     block.sourceHeight = height_;
     for (std::uint32_t level = shape_.finest; level <= shape_.top; ++level) {
         block.step = level - shape_.finest;
         block.width = cellsAlong(width_, level);
         block.height = cellsAlong(height_, level);
-        pass.setPushConstants(block);
+        pass.setImmediates(0, block);
         pass.dispatchWorkgroups((block.width + kTileSize - 1) / kTileSize, (block.height + kTileSize - 1) / kTileSize);
         block.sourceWidth = block.width;
         block.sourceHeight = block.height;
@@ -328,7 +328,7 @@ void recordList(const gpu::CommandEncoder& encoder, const char* label, const gpu
     pass.setPipeline(pipeline);
     pass.setBindGroup(0, geometry.bindGroup());
     pass.setBindGroup(1, group);
-    pass.setPushConstants(block, blockSize);
+    pass.setImmediates(0, block, blockSize);
     const ListGroups groups = listGroups(count, encoder.device().limits());
     pass.dispatchWorkgroups(groups.x, groups.y);
     pass.end();

@@ -18,19 +18,19 @@
 
 namespace render {
 
-/// Levels of the min/max pyramid and how they lie in its texture (kernel::pyramidIndex).
+/// Levels of the min/max pyramid and their layout in its texture (kernel::pyramidIndex).
 struct PyramidShape {
     std::uint32_t finest = 0;  ///< first level that is stored: cells of 2^finest pixels
     std::uint32_t top = 0;     ///< last level
-    std::uint32_t blocks = 0;  ///< of 4x4 cells along a row of the finest level
-    std::uint32_t rows = 0;    ///< cells of the finest level, rounded up; each level has half as many
+    std::uint32_t blocks = 0;  ///< blocks of 4x4 cells along a row of the finest level
+    std::uint32_t rows = 0;    ///< rows of cells of the finest level, rounded up; each level has half as many
     [[nodiscard]] std::uint64_t cells() const;
 };
-/// For an image of this size; leaves out the finest levels that would need more than `maxCells`.
+/// Shape for an image of this size; leaves out the finest levels that would need more than `maxCells`.
 [[nodiscard]] PyramidShape pyramidShape(std::uint32_t width, std::uint32_t height, std::uint64_t maxCells);
 
-/// The photographed scene on the device: both layers, the pyramid over them, the light. Bind group 0 of the kernels
-/// that look at the scene (shaders/lib/geometry.glsl).
+/// The photographed scene on the device: both layers, the pyramid over them, the light. Bind group 0 of all kernels
+/// that read the scene (shaders/lib/geometry.glsl).
 class SceneGeometry {
   public:
     /// The pyramid has at most `maxPyramidCells`, and no more than the device has room for.
@@ -41,23 +41,23 @@ class SceneGeometry {
     void requireFits(std::uint32_t width, std::uint32_t height) const;
     /// The same for a buffer; `what` is a noun in the plural.
     void requireBufferFits(const char* what, std::uint64_t bytes) const;
-    /// Uploads only what rays march through; colours, normals and light are black. The mark is the label.
+    /// Uploads only the patches, for marching; colours, normals and light are black.
     void setPatches(const core::DepthLayers& layers);
     /// Uploads a new picture.
     void setLayers(const core::DepthLayers& layers, const core::ImageRgb& photo, const core::Surface& front,
                    const core::Surface& back);
-    /// The same, begun only: `uploadRows` does the work. What it is given has to live until then.
+    /// Begins to upload a new picture; `uploadRows` does the work. The arguments have to live until it is done.
     void beginLayers(const core::DepthLayers& layers, const core::ImageRgb& photo, const core::Surface& front,
                      const core::Surface& back);
-    /// Goes on for about `seconds`, at least by a few rows; true when all is uploaded.
+    /// Continues for about `seconds`, at least by a few rows; true when everything is uploaded.
     bool uploadRows(double seconds);
-    /// Uploads the light and what paths need to sample it; an empty map is black.
+    /// Uploads the light and the table for sampling it; an empty map is black.
     void setEnvironment(const core::DirectionalMap& environment,
                         core::LightSampling lightSampling = core::LightSampling::Both);
 
-    /// Builds the pyramid if the layers are new; before the first kernel that marches.
+    /// Builds the pyramid if the layers are new; to be called before kernels that march.
     void record(const gpu::CommandEncoder& encoder);
-    /// Builds the pyramid whatever is there.
+    /// Builds the pyramid in any case.
     void recordPyramid(const gpu::CommandEncoder& encoder);
 
     [[nodiscard]] const gpu::BindGroupLayout& layout() const { return layout_; }
@@ -66,13 +66,13 @@ class SceneGeometry {
     [[nodiscard]] const gpu::Texture& photo() const { return frontColor_; }
     [[nodiscard]] const gpu::Texture& pyramid() const { return pyramid_; }
     [[nodiscard]] const PyramidShape& pyramidShape() const { return shape_; }
-    /// What holds all solids, in inverse depth [1/m]; first > second: there is none.
-    [[nodiscard]] std::pair<float, float> rangeOfW() const { return {leastW_, greatestW_}; }
+    /// Range of inverse depth of all solids [1/m]; first > second when there is none.
+    [[nodiscard]] std::pair<float, float> rangeOfW() const { return {minW_, maxW_}; }
     [[nodiscard]] std::uint32_t width() const { return width_; }
     [[nodiscard]] std::uint32_t height() const { return height_; }
 
   private:
-    /// What is uploaded, row by row; without picture and normals only the patches are.
+    /// Picture that is uploaded row by row; only patches when the other pointers are null.
     struct Source {
         const core::DepthLayers* layers = nullptr;
         const core::ImageRgb* photo = nullptr;
@@ -94,21 +94,21 @@ class SceneGeometry {
     std::uint32_t height_ = 0;
     std::uint64_t maxPyramidCells_;
     PyramidShape shape_;
-    float leastW_ = 0, greatestW_ = 0;
+    float minW_ = 0, maxW_ = 0;
     gpu::Texture frontPatch_, backPatch_, frontColor_, backColor_, frontNormal_, backNormal_, environment_;
     gpu::Texture pyramid_;
     gpu::Buffer environmentTable_;
-    kernel::GeometryBlock environmentBlock_;  ///< what it says of the environment
+    kernel::GeometryBlock environmentBlock_;  ///< its members about the environment
     gpu::Buffer block_;
     core::Camera camera_;
     gpu::BindGroup group_;
-    Source source_;              ///< no layers: nothing is being uploaded
+    Source source_;              ///< without layers when nothing is being uploaded
     std::vector<float> texels_;  ///< scratch
     bool pyramidStale_ = false;
 };
 
 /// Records one dispatch over a list of `count` items with the geometry in group 0, `group` in group 1 and `block` as
-/// push constants. Nothing for an empty list.
+/// immediates. Nothing for an empty list.
 void recordList(const gpu::CommandEncoder& encoder, const char* label, const gpu::ComputePipeline& pipeline,
                 SceneGeometry& geometry, const gpu::BindGroup& group, const void* block, std::size_t blockSize,
                 std::uint32_t count);

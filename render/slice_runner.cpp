@@ -2,28 +2,27 @@
 #include "render/slice_runner.h"
 
 #include <algorithm>
-#include <chrono>
 
+#include "core/base/clock.h"
 #include "render/slice_timer.h"
 
 namespace render {
 
-void SliceRunner::run(const core::Progress& progress, const std::string& kind, std::uint64_t total, std::uint64_t least,
-                      std::uint64_t most, const Work& work) {
-    using Clock = std::chrono::steady_clock;
-    constexpr double kGrowth = 8;  // from one slice to the next: the first ones also pay for starting up
+void SliceRunner::run(const core::Progress& progress, const std::string& kind, std::uint64_t total,
+                      std::uint64_t minUnits, std::uint64_t maxUnits, const Work& work) {
+    constexpr double kGrowth =
+        8;  // at most, from one slice to the next; the first ones include the cost of starting up
     double last = 0;
     for (std::uint64_t first = 0; first < total;) {
         progress.checkpoint(static_cast<float>(first) / static_cast<float>(total));
         const auto known = costs_.find(kind);
-        double wish = known == costs_.end() ? static_cast<double>(least) : kMaxSliceSeconds / known->second;
+        double wish = known == costs_.end() ? static_cast<double>(minUnits) : kMaxSliceSeconds / known->second;
         if (last > 0) wish = std::min(wish, kGrowth * last);
-        const auto count =
-            std::min({static_cast<std::uint64_t>(std::max(wish, static_cast<double>(least))), most, total - first});
-        const auto start = Clock::now();
+        const auto count = std::min(
+            {static_cast<std::uint64_t>(std::max(wish, static_cast<double>(minUnits))), maxUnits, total - first});
+        const auto start = core::Clock::now();
         work(first, count);
-        costs_[kind] =
-            std::max(std::chrono::duration<double>(Clock::now() - start).count(), 1e-6) / static_cast<double>(count);
+        costs_[kind] = std::max(core::secondsSince(start), 1e-6) / static_cast<double>(count);
         last = static_cast<double>(count);
         first += count;
     }

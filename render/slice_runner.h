@@ -12,18 +12,18 @@
 
 namespace render {
 
-/// Runs long work that waits for its result in submissions of about `kMaxSliceSeconds`, so that it can be cancelled
-/// and no display driver loses its patience. What a unit costs is measured and remembered by kind.
+/// Runs long work in submissions of about `kMaxSliceSeconds` and waits for each, so that it can be cancelled and stays
+/// below the time-outs of display drivers. Measures the cost of a unit and remembers it by kind.
 class SliceRunner {
   public:
     explicit SliceRunner(const gpu::Device& device) : device_(device) {}
 
-    /// Does units [first, first + count), to the end: records, submits and waits.
+    /// Records units [first, first + count), submits them and waits.
     using Work = std::function<void(std::uint64_t first, std::uint64_t count)>;
-    /// Calls `work` for consecutive parts of [0, total), each at most `most` units, with a checkpoint before each.
-    /// The first one of a kind has `least` units.
-    void run(const core::Progress& progress, const std::string& kind, std::uint64_t total, std::uint64_t least,
-             std::uint64_t most, const Work& work);
+    /// Calls `work` for consecutive parts of [0, total), each at most `maxUnits`, with a checkpoint before each.
+    /// The first part of a kind has `minUnits`.
+    void run(const core::Progress& progress, const std::string& kind, std::uint64_t total, std::uint64_t minUnits,
+             std::uint64_t maxUnits, const Work& work);
     /// Submits what `record` writes, and waits.
     void submit(const char* label, const std::function<void(const gpu::CommandEncoder&)>& record) const;
 

@@ -12,9 +12,9 @@ double SliceTimer::cost(const std::string& kind, double guess) const {
     return known == costs_.end() ? guess : known->second;
 }
 
-std::uint64_t SliceTimer::units(const std::string& kind, double guess, double seconds, std::uint64_t least) const {
+std::uint64_t SliceTimer::units(const std::string& kind, double guess, double seconds, std::uint64_t minUnits) const {
     const double count = std::clamp(seconds, 0.0, kMaxSliceSeconds) / cost(kind, guess);
-    return std::max(least, static_cast<std::uint64_t>(std::min(count, 1e15)));
+    return std::max(minUnits, static_cast<std::uint64_t>(std::min(count, 1e15)));
 }
 
 gpu::PassTimer::Region SliceTimer::measure(const gpu::CommandEncoder& encoder, const std::string& kind,
@@ -29,12 +29,12 @@ void SliceTimer::collect() {
         const auto slice = inFlight_.find(timing.label);
         if (slice == inFlight_.end()) continue;
         const double measured = std::max(timing.seconds, 1e-7) / slice->second.units;
-        // Dearer than thought counts at once, cheaper only half: a slice that is too long is felt, a short one is not.
+        // Costs rise at once and fall by halves, because slices that are too long can be felt and short ones cannot.
         double& cost = costs_.try_emplace(slice->second.kind, measured).first->second;
         cost = std::max(measured, 0.5 * (cost + measured));
         inFlight_.erase(slice);
     }
-    // Regions the timer had no room for never come back.
+    // Regions that the timer had no room for are never reported.
     while (inFlight_.size() > 1024) inFlight_.erase(inFlight_.begin());
 }
 

@@ -11,26 +11,27 @@
 
 namespace render {
 
-/// Longest time one slice (one dispatch) is planned to take on the device [s]: keeps a window fluent and stays far from
-/// the time-outs of display drivers.
+/// Longest planned duration of one slice (one dispatch) on the device [s]. Keeps a window responsive and stays far
+/// below the time-outs of display drivers.
 inline constexpr double kMaxSliceSeconds = 0.03;
 
-/// Learns what a unit of each kind of work costs on the device in use and sizes slices by it.
+/// Measures the cost of a unit of each kind of work on the device and sizes slices by it.
 ///
 /// A unit is whatever the kind counts (paths, pixel-sample pairs). Before the first measurement a kind costs its
-/// `guess`. A dearer measurement counts at once, a cheaper one half.
+/// `guess`. A higher measurement counts in full, a lower one half.
 class SliceTimer {
   public:
     explicit SliceTimer(const gpu::Device& device);
 
     /// Estimated device time of one unit of `kind` [s].
     [[nodiscard]] double cost(const std::string& kind, double guess) const;
-    /// Units of `kind` that take `seconds`, at most what one slice may take; at least `least`.
-    [[nodiscard]] std::uint64_t units(const std::string& kind, double guess, double seconds, std::uint64_t least) const;
+    /// Units of `kind` that take `seconds`, but no longer than one slice may take; at least `minUnits`.
+    [[nodiscard]] std::uint64_t units(const std::string& kind, double guess, double seconds,
+                                      std::uint64_t minUnits) const;
     /// Measures everything recorded into `encoder` until the region ends.
     [[nodiscard]] gpu::PassTimer::Region measure(const gpu::CommandEncoder& encoder, const std::string& kind,
                                                  std::uint64_t units);
-    /// Takes in the measurements that have arrived.
+    /// Evaluates the measurements that have arrived.
     void collect();
 
   private:

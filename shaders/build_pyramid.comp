@@ -31,7 +31,7 @@ void main() {
         uint part;
         if (step_ == 0u) {
             vec4 frontPatch = texelFetch(frontPatchMap, ivec2(child), 0);
-            part = packRange(pixelRange(frontPatch, texelFetch(backPatchMap, ivec2(child), 0)), block.leastW, block.scale);
+            part = packRange(pixelRange(frontPatch, texelFetch(backPatchMap, ivec2(child), 0)), block.minW, block.scale);
         } else {
             part = imageLoad(rangeMap, texelOf(child, step_ - 1u)).x;
         }

@@ -1,8 +1,8 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A level's part of the sum over all surface samples, added to the next coarser level's, which the two-scale relation
-// of quadratic B-splines brings to this one's cells exactly (core/shading/diffusion_grid.h).
-// Light and, as if every sample had an irradiance of 1, area.
+// Adds a level's part of the sum over all surface samples to that of the next coarser level, which the two-scale relation
+// of quadratic B-splines interpolates exactly (core/shading/diffusion_grid.h). Sums light, and area as if every sample
+// had an irradiance of 1.
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/list.glsl"
 #include "shaders/shared/diffusion_blocks.h"

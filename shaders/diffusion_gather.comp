@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sum over all surface samples from the grid onto the pixels of a segment (core/shading/diffusion_grid.h), bounded
-// where it would reflect more than it receives.
+// Interpolates the sum over all surface samples from the grid to the pixels of a segment (core/shading/diffusion_grid.h),
+// and limits it to what the surface receives.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shaders/lib/pixels.glsl"
@@ -33,7 +33,7 @@ void main() {
     vec3 t = place - vec3(cell) - 0.5;
     vec3 weights[3] = vec3[3](0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t));
     vec3 sum = vec3(0.0);
-    vec3 whole = vec3(0.0);  // of samples that all have an irradiance of 1
+    vec3 whole = vec3(0.0);  // the sum if all samples had an irradiance of 1
     for (int z = 0; z < 3; ++z)
         for (int y = 0; y < 3; ++y) {
             float weight = weights[z].z * weights[y].y;

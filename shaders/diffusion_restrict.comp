@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The light of a grid into the next coarser one: the two-scale relation of quadratic B-splines, [1 3 3 1]/4 in each
-// direction, which is exact (core/shading/diffusion_grid.h). One workgroup per brick.
+// Restricts the light of a grid to the next coarser one by the two-scale relation of quadratic B-splines, [1 3 3 1]/4 in
+// each direction, which is exact (core/shading/diffusion_grid.h). One workgroup per brick.
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/list.glsl"
 #include "shaders/shared/diffusion_blocks.h"

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// [1 4 1]/6 twice, [1 8 18 8 1]/36, in each direction over the cells of one grid or several (core/shading/diffusion_grid.h). One
-// workgroup per brick.
+// Smooths the cells of one grid or several with [1 4 1]/6 twice, which is [1 8 18 8 1]/36, in each direction
+// (core/shading/diffusion_grid.h). One workgroup per brick.
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/list.glsl"
 #include "shaders/shared/diffusion_blocks.h"

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light that enters a translucent body at its surface samples (docs/method.md#translucency): paths weighted by cosine and Fresnel
-// transmission, summed in order.
+// Light that enters a translucent body at its surface samples (docs/method.md#translucency): paths weighted by cosine and
+// Fresnel transmission, summed in order.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shaders/lib/geometry.glsl"

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The baseline of [BRD14] Sec. 3.5 for the benchmark: constant steps through the depth image; steps over what is thinner.
+// The baseline of [BRD14] Sec. 3.5 for the benchmark: constant steps through the depth image, which miss anything thinner.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shaders/lib/geometry.glsl"
@@ -12,7 +12,8 @@ layout(push_constant) uniform Block { MarchBlock block; };
 layout(set = 1, binding = MARCH_RAYS) readonly buffer Rays { vec4 rays[]; };
 layout(set = 1, binding = MARCH_HITS) writeonly buffer Hits { vec4 hits[]; };
 
-// Pixel, layer and distance of the first step inside a solid; none while the ray is still inside that of its origin.
+// Pixel, layer and distance of the first step inside a solid, as MARCH_HITS. The solid that contains the origin does not
+// count until the ray has left it.
 vec4 firstHit(vec3 p, vec3 d) {
     const vec4 none = vec4(0.0);
     if (d == vec3(0.0)) return none;

@@ -1,9 +1,8 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Marches a list of rays: for the analysis, the benchmark and the tests. A workgroup has a share of the list, of which
-// each invocation takes the next ray when one of its two has ended (Aila and Laine 2009, "persistent threads"): where
-// lanes run in lock step, none waits for the longest ray among them, and one ray's cell is fetched while the other's is
-// looked at.
+// Marches a list of rays for the analysis, the benchmark and the tests. A workgroup has a share of the list, from which
+// each invocation takes the next ray when one of its two has ended (Aila and Laine 2009, "persistent threads"); see
+// shaders/lib/march.glsl.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shaders/lib/list.glsl"
@@ -17,10 +16,10 @@ layout(push_constant) uniform Block { MarchBlock block; };
 layout(set = 1, binding = MARCH_RAYS) readonly buffer Rays { vec4 rays[]; };
 layout(set = 1, binding = MARCH_HITS) writeonly buffer Hits { vec4 hits[]; };
 
-shared uint taken;  // the first ray that nobody has taken
+shared uint taken;  // first ray that no invocation has taken
 
-// Rays march in rounds: a look at one pixel, then up to so many steps through the pyramid. More, and a lane waits longer
-// for its next look or ray; fewer, and there are more looks.
+// Rays march in rounds: a look at one pixel, then up to this many steps through the pyramid. With more steps a lane waits
+// longer for its next look or ray; with fewer there are more looks.
 const int kRoundSteps = 12;
 
 // One of an invocation's rays.
@@ -30,7 +29,7 @@ struct Taken {
     March m;
 };
 
-// Takes a ray from the list when there is none or it has ended, and looks at its pixel. From `end` on there is no ray.
+// Takes the next ray from the list, which stops at `end`, if there is none or it has ended; then looks at its pixel.
 void beginRound(MarchScene scene, uint end, inout Taken ray) {
     if (ray.rounds == 0) ray.m.going = false;
     --ray.rounds;

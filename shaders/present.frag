@@ -14,7 +14,7 @@ vec3 decode(vec3 c) {
 }
 
 void main() {
-    // While the window changes its size, the picture still has the old one.
+    // While the window is being resized, the picture still has the old size.
     vec3 c = texelFetch(screen, min(ivec2(gl_FragCoord.xy), textureSize(screen, 0) - 1), 0).rgb;
     target = vec4(kTargetEncodes ? decode(c) : c, 1.0);
 }

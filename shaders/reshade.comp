@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Monte Carlo re-shading of one edited segment (docs/method.md#re-shading): paths through its pixels, summed in the order of their
-// numbers, so that the sums do not depend on how the work is sliced.
+// Monte Carlo re-shading of one edited segment (docs/method.md#re-shading): paths through its pixels, summed in the order
+// of their numbers, so that the sums do not depend on the slices.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shaders/lib/geometry.glsl"

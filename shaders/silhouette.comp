@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// New colour of the partly covered pixels at an edited segment's outline (core/shading/silhouette.h), after its composite.
+// Colours of the partly covered pixels at an edited segment's outline (core/shading/silhouette.h), after its composite.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shaders/lib/pixels.glsl"

@@ -171,24 +171,24 @@
         <translation>Sein Spiegelbild deckt zu wenig von der Silhouette ab.</translation>
     </message>
     <message>
-        <source>No flat face of it ends at its outline.</source>
-        <translation>Keine ebene Fläche endet an seinem Umriss.</translation>
+        <source>None of its flat faces ends at its outline.</source>
+        <translation>Keine seiner ebenen Flächen endet an seinem Umriss.</translation>
     </message>
     <message>
         <source>It runs out of the picture like a table or a wall, so it is a slab of constant thickness.</source>
         <translation>Es reicht wie ein Tisch oder eine Wand aus dem Bild hinaus und ist deshalb eine Platte von konstanter Dicke.</translation>
     </message>
     <message>
-        <source>It has too few pixels with depth to tell its shape.</source>
-        <translation>Es hat zu wenige Pixel mit Tiefe, um seine Form zu erkennen.</translation>
+        <source>It has too few pixels with depth to estimate its shape.</source>
+        <translation>Es hat zu wenige Pixel mit Tiefe, um seine Form zu schätzen.</translation>
     </message>
     <message>
-        <source>Nothing of its outline is seen, so no mirror can be spanned into it.</source>
+        <source>None of its outline is visible, so no mirror can be spanned into it.</source>
         <translation>Von seinem Umriss ist nichts zu sehen, deshalb lässt sich kein Spiegel hineinspannen.</translation>
     </message>
     <message>
-        <source>The back-side depth &quot;%1&quot; has %2x%3 pixels, but the photograph has %4x%5.</source>
-        <translation>Die Tiefe der Rückseite „%1“ hat %2x%3 Pixel, das Foto aber %4x%5.</translation>
+        <source>The back-side depth &quot;%1&quot; has %2 pixels, but the photograph has %3.</source>
+        <translation>Die Tiefe der Rückseite „%1“ hat %2 Pixel, das Foto aber %3.</translation>
     </message>
     <message>
         <source>No glossy segment mirrors the light and no pixel is distant, so nothing is known of the light: the loaded map is all of it.</source>
@@ -315,7 +315,7 @@
         <translation>„%1“ braucht „from“ oder „to“: die Werte von „%2“, wo die Maske 0 und 1 ist.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no list [...].</source>
+        <source>&quot;%1&quot; is not a list [...].</source>
         <translation>„%1“ ist keine Liste [...].</translation>
     </message>
     <message>
@@ -731,12 +731,12 @@
         <translation>Die BRDF „%1“ hat die Parameter %2.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; needs exactly one of: &quot;preset&quot;; &quot;sigma_a&quot; with &quot;sigma_s_prime&quot;; &quot;diffuse_color&quot; with &quot;mean_free_path_mm&quot;.</source>
-        <translation>„%1“ braucht genau eines von: „preset“; „sigma_a“ mit „sigma_s_prime“; „diffuse_color“ mit „mean_free_path_mm“.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is &quot;%2&quot;, expected one of %3.</source>
         <translation>„%1“ ist „%2“, erwartet wird eines von %3.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; needs exactly one of: &quot;preset&quot;; &quot;sigma_a&quot; with &quot;sigma_s_prime&quot;; &quot;diffuse_color&quot; with &quot;mean_free_path_mm&quot;.</source>
+        <translation>„%1“ braucht genau eines von: „preset“; „sigma_a“ mit „sigma_s_prime“; „diffuse_color“ mit „mean_free_path_mm“.</translation>
     </message>
     <message>
         <source>a path after &quot;file:&quot;</source>
@@ -803,8 +803,8 @@
         <translation>Die Tiefe in „%1“ (%2) wird auf die Größe des Farbbilds (%3) gebracht.</translation>
     </message>
     <message>
-        <source>The median depth in &quot;%1&quot; is %2 m with a unit of %3 m, expected %4 to %5 m: the unit is probably wrong. Give the metres per stored unit, 0.001 for millimetres and 1 for metres, or the right kind of depth.</source>
-        <translation>Die mittlere Tiefe in „%1“ ist %2 m bei einer Einheit von %3 m, erwartet wird %4 bis %5 m: Die Einheit ist wahrscheinlich falsch. Geben Sie die Meter pro gespeicherter Einheit an, 0,001 für Millimeter und 1 für Meter, oder die richtige Art der Tiefe.</translation>
+        <source>The median depth in &quot;%1&quot; is %2 m with a unit of %3 m, expected %4 to %5 m: the unit is probably wrong. Give the metres per stored unit (0.001 for millimetres, 1 for metres), or the right kind of depth.</source>
+        <translation>Die mittlere Tiefe in „%1“ ist %2 m bei einer Einheit von %3 m, erwartet wird %4 bis %5 m: Die Einheit ist wahrscheinlich falsch. Geben Sie die Meter pro gespeicherter Einheit an (0,001 für Millimeter, 1 für Meter) oder die richtige Art der Tiefe.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; contains no depth map (%2), and no depth image is given.</source>
@@ -1265,6 +1265,357 @@
     </message>
 </context>
 <context>
+    <name>scene</name>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Glossy</source>
+        <translation>Glänzend</translation>
+    </message>
+    <message>
+        <source>Treat the segment&apos;s colours as reflections</source>
+        <translation>Die Farben des Segments als Spiegelungen verstehen</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>How to invent the side that the camera does not see</source>
+        <translation>Wie die Seite erfunden wird, die die Kamera nicht sieht</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Distance between front and back, for constant thickness</source>
+        <translation>Abstand zwischen Vorder- und Rückseite bei gleichbleibender Dicke</translation>
+    </message>
+    <message>
+        <source>Move mirror</source>
+        <translation>Spiegel verschieben</translation>
+    </message>
+    <message>
+        <source>Move the fitted mirror away from the camera</source>
+        <translation>Den gefundenen Spiegel von der Kamera weg verschieben</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Strecken</translation>
+    </message>
+    <message>
+        <source>Scale the invented thickness</source>
+        <translation>Die erfundene Dicke skalieren</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Mindestens</translation>
+    </message>
+    <message>
+        <source>Minimum thickness anywhere on the segment</source>
+        <translation>Mindestdicke überall auf dem Segment</translation>
+    </message>
+    <message>
+        <source>Reflectance</source>
+        <translation>Reflexionsgrad</translation>
+    </message>
+    <message>
+        <source>Ratio of reflected to arriving light</source>
+        <translation>Verhältnis von gespiegeltem zu ankommendem Licht</translation>
+    </message>
+    <message>
+        <source>Lobe width</source>
+        <translation>Keulenbreite</translation>
+    </message>
+    <message>
+        <source>Blur of the segment&apos;s reflections in the photograph (GGX alpha)</source>
+        <translation>Unschärfe der Spiegelungen des Segments im Foto (GGX-Alpha)</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Remove bumps and dents narrower than this: more for porcelain, less for fur and carvings. Needs the depth filter.</source>
+        <translation>Buckel und Dellen glätten, die schmaler sind: mehr für Porzellan, weniger für Fell und Schnitzereien. Braucht den Tiefenfilter.</translation>
+    </message>
+    <message>
+        <source>Filter the depth map</source>
+        <translation>Tiefenkarte filtern</translation>
+    </message>
+    <message>
+        <source>Smooth surfaces and keep outlines sharp (joint bilateral filter)</source>
+        <translation>Flächen glätten, Umrisse scharf lassen (gemeinsamer bilateraler Filter)</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Adapt the filter to the measured noise of the depth map</source>
+        <translation>Den Filter an das gemessene Rauschen der Tiefenkarte anpassen</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Size of the depth filter</source>
+        <translation>Größe des Tiefenfilters</translation>
+    </message>
+    <message>
+        <source>Colour range</source>
+        <translation>Farbabstand</translation>
+    </message>
+    <message>
+        <source>Separate colours that differ by more than this</source>
+        <translation>Farben trennen, die sich um mehr als dies unterscheiden</translation>
+    </message>
+    <message>
+        <source>Depth range</source>
+        <translation>Tiefenabstand</translation>
+    </message>
+    <message>
+        <source>Separate depths that differ by more than this fraction</source>
+        <translation>Tiefen trennen, die sich um mehr als diesen Anteil unterscheiden</translation>
+    </message>
+    <message>
+        <source>Fill holes to</source>
+        <translation>Löcher bis</translation>
+    </message>
+    <message>
+        <source>Fill holes up to this radius inside one segment</source>
+        <translation>Löcher bis zu diesem Radius innerhalb eines Segments füllen</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Turn the light about the vertical axis of the camera</source>
+        <translation>Das Licht um die senkrechte Achse der Kamera drehen</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Scale the radiance of the light</source>
+        <translation>Die Strahldichte des Lichts skalieren</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Loaded map</source>
+        <translation>Geladene Karte</translation>
+    </message>
+    <message>
+        <source>Use the map as all of the light, or only where the photograph shows none</source>
+        <translation>Die Karte als das ganze Licht verwenden oder nur dort, wo das Foto keines zeigt</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>Lücken</translation>
+    </message>
+    <message>
+        <source>How to fill directions that nothing in the photograph shows</source>
+        <translation>Wie Richtungen gefüllt werden, die nichts im Foto zeigt</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Abtastungen</translation>
+    </message>
+    <message>
+        <source>Light paths per pixel of a finished picture</source>
+        <translation>Lichtpfade je Pixel eines fertigen Bildes</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>Stop refining the view after this many seconds. Exports always use all samples.</source>
+        <translation>Die Ansicht nach so vielen Sekunden nicht weiter verfeinern. Exporte haben immer alle Abtastungen.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>The same seed gives the same picture</source>
+        <translation>Derselbe Startwert ergibt dasselbe Bild</translation>
+    </message>
+    <message>
+        <source>Bounces</source>
+        <translation>Reflexionen</translation>
+    </message>
+    <message>
+        <source>Surfaces a light path may visit. With 1, folds reflect the object&apos;s original colour.</source>
+        <translation>Flächen, die ein Lichtpfad besuchen darf. Bei 1 spiegeln Falten die ursprüngliche Farbe des Objekts.</translation>
+    </message>
+    <message>
+        <source>Smooth noise, keep edges</source>
+        <translation>Rauschen glätten, Kanten erhalten</translation>
+    </message>
+    <message>
+        <source>Filter the new picture inside each segment, edge-aware</source>
+        <translation>Das neue Bild innerhalb jedes Segments kantenerhaltend filtern</translation>
+    </message>
+    <message>
+        <source>Surface samples</source>
+        <translation>Oberflächenpunkte</translation>
+    </message>
+    <message>
+        <source>Points on front and back of a translucent segment</source>
+        <translation>Punkte auf Vorder- und Rückseite eines transluzenten Segments</translation>
+    </message>
+    <message>
+        <source>Irradiance rays</source>
+        <translation>Lichtpfade</translation>
+    </message>
+    <message>
+        <source>Light paths per surface sample</source>
+        <translation>Lichtpfade je Oberflächenpunkt</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>Accuracy of summing the light of all surface samples</source>
+        <translation>Genauigkeit, mit der das Licht aller Oberflächenpunkte summiert wird</translation>
+    </message>
+    <message>
+        <source>Rounded: mirrored at its outline</source>
+        <translation>Rund: am eigenen Umriss gespiegelt</translation>
+    </message>
+    <message>
+        <source>Box: flat faces continued</source>
+        <translation>Kasten: ebene Flächen fortgesetzt</translation>
+    </message>
+    <message>
+        <source>Mirrored at a fitted plane</source>
+        <translation>An einer angepassten Ebene gespiegelt</translation>
+    </message>
+    <message>
+        <source>Mirrored at a plane facing the camera</source>
+        <translation>An einer Ebene parallel zum Bild gespiegelt</translation>
+    </message>
+    <message>
+        <source>Constant thickness</source>
+        <translation>Gleichbleibende Dicke</translation>
+    </message>
+    <message>
+        <source>Replaces the recovered light</source>
+        <translation>Ersetzt das gewonnene Licht</translation>
+    </message>
+    <message>
+        <source>Completes the recovered light</source>
+        <translation>Ergänzt das gewonnene Licht</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glatt</translation>
+    </message>
+    <message>
+        <source>Inverse distance (Shepard)</source>
+        <translation>Inverser Abstand (Shepard)</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>Fein</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Weight of the new surface</source>
+        <translation>Gewicht der neuen Oberfläche</translation>
+    </message>
+    <message>
+        <source>Photograph</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>Weight of the photograph underneath</source>
+        <translation>Gewicht des Fotos darunter</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Better dipole: more accurate for strongly absorbing materials</source>
+        <translation>Besserer Dipol: genauer bei stark absorbierenden Materialien</translation>
+    </message>
+    <message>
+        <source>Index</source>
+        <translation>Index</translation>
+    </message>
+    <message>
+        <source>Relative index of refraction; 1 = no boundary</source>
+        <translation>Relativer Brechungsindex; 1 = keine Grenzfläche</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Scale the object by this factor; larger objects look less translucent</source>
+        <translation>Das Objekt um diesen Faktor skalieren; größere Objekte wirken weniger transluzent</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Scale the light that was scattered inside</source>
+        <translation>Das innen gestreute Licht skalieren</translation>
+    </message>
+    <message>
+        <source>Dipole</source>
+        <translation>Dipol</translation>
+    </message>
+    <message>
+        <source>Better dipole</source>
+        <translation>Besserer Dipol</translation>
+    </message>
+</context>
+<context>
     <name>tasks</name>
     <message>
         <source>Working</source>
@@ -1304,7 +1655,7 @@
     </message>
     <message>
         <source>Rendering</source>
-        <translation>Bild wird berechnet</translation>
+        <translation>Rendern</translation>
     </message>
     <message>
         <source>Filtering the picture</source>
@@ -1329,46 +1680,6 @@
 <context>
     <name>ui::BackSidePanel</name>
     <message>
-        <source>Back side method</source>
-        <translation>Verfahren für die Rückseite</translation>
-    </message>
-    <message>
-        <source>How the side the camera does not see is invented</source>
-        <translation>Wie die Seite erfunden wird, die die Kamera nicht sieht</translation>
-    </message>
-    <message>
-        <source>Mirrored at a fitted plane</source>
-        <translation>An einer angepassten Ebene gespiegelt</translation>
-    </message>
-    <message>
-        <source>Mirrored at a plane facing the camera</source>
-        <translation>An einer Ebene parallel zum Bild gespiegelt</translation>
-    </message>
-    <message>
-        <source>Constant thickness</source>
-        <translation>Gleichbleibende Dicke</translation>
-    </message>
-    <message>
-        <source>Thickness</source>
-        <translation>Dicke</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>Distance between front and back, for constant thickness</source>
-        <translation>Abstand zwischen Vorder- und Rückseite bei gleichbleibender Dicke</translation>
-    </message>
-    <message>
-        <source>At least</source>
-        <translation>Mindestens</translation>
-    </message>
-    <message>
-        <source>Smallest thickness anywhere on the segment</source>
-        <translation>Kleinste Dicke überall auf dem Segment</translation>
-    </message>
-    <message>
         <source>Preview of the back side</source>
         <translation>Vorschau der Rückseite</translation>
     </message>
@@ -1381,20 +1692,8 @@
         <translation>Laden…</translation>
     </message>
     <message>
-        <source>Use a depth map of the far side (metres, planar) in place of the invented one</source>
-        <translation>Eine Tiefenkarte der Rückseite (Meter, entlang der Blickachse) statt der erfundenen verwenden</translation>
-    </message>
-    <message>
         <source>Clear</source>
         <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Go back to the invented back side</source>
-        <translation>Zurück zur erfundenen Rückseite</translation>
-    </message>
-    <message>
-        <source>Change back side</source>
-        <translation>Rückseite ändern</translation>
     </message>
     <message>
         <source>Remove measured back side</source>
@@ -1429,38 +1728,6 @@
         <translation>Gemessene Rückseite laden</translation>
     </message>
     <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Rounded: mirrored at its outline</source>
-        <translation>Rund: am eigenen Umriss gespiegelt</translation>
-    </message>
-    <message>
-        <source>Box: flat faces continued</source>
-        <translation>Kasten: ebene Flächen fortgesetzt</translation>
-    </message>
-    <message>
-        <source>Move mirror</source>
-        <translation>Spiegel verschieben</translation>
-    </message>
-    <message>
-        <source>Moves the mirror that was found away from the camera</source>
-        <translation>Verschiebt den gefundenen Spiegel von der Kamera weg</translation>
-    </message>
-    <message>
-        <source>Stretch</source>
-        <translation>Strecken</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <translation>%</translation>
-    </message>
-    <message>
-        <source>Factor on the thickness that was invented</source>
-        <translation>Faktor auf die erfundene Dicke</translation>
-    </message>
-    <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
@@ -1481,28 +1748,12 @@
         <translation>Vorderseite</translation>
     </message>
     <message>
-        <source>Smooth surface automatically</source>
-        <translation>Oberfläche automatisch glätten</translation>
+        <source>Use a depth map of the far side (metres, planar) instead of the invented one</source>
+        <translation>Eine Tiefenkarte der Rückseite (Meter, entlang der Blickachse) statt der erfundenen verwenden</translation>
     </message>
     <message>
-        <source>The smoothing follows the noise of the depth map; part of the depth filter, which has to be on</source>
-        <translation>Die Glättung richtet sich nach dem Rauschen der Tiefenkarte; sie gehört zum Tiefenfilter, der eingeschaltet sein muss</translation>
-    </message>
-    <message>
-        <source>Smoothing</source>
-        <translation>Glättung</translation>
-    </message>
-    <message>
-        <source>px</source>
-        <translation>px</translation>
-    </message>
-    <message>
-        <source>Bumps and dents of the surface narrower than about this are smoothed away: more for porcelain, less for fur and carving; 0 = none</source>
-        <translation>Buckel und Dellen der Oberfläche, die schmaler als etwa so viel sind, werden geglättet: mehr für Porzellan, weniger für Fell und Schnitzereien; 0 = nichts</translation>
-    </message>
-    <message>
-        <source>Set smoothing</source>
-        <translation>Glättung einstellen</translation>
+        <source>Return to the invented back side</source>
+        <translation>Zurück zur erfundenen Rückseite</translation>
     </message>
 </context>
 <context>
@@ -1537,10 +1788,6 @@
 <context>
     <name>ui::DriveList</name>
     <message>
-        <source>Varies</source>
-        <translation>Veränderlich</translation>
-    </message>
-    <message>
         <source>Vary a parameter</source>
         <translation>Einen Parameter veränderlich machen</translation>
     </message>
@@ -1553,10 +1800,6 @@
         <translation>Pinselgröße</translation>
     </message>
     <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
         <source>Radius in pixels of the photograph</source>
         <translation>Radius in Pixeln des Fotos</translation>
     </message>
@@ -1565,24 +1808,12 @@
         <translation>Härte</translation>
     </message>
     <message>
-        <source>Share of the radius inside which the brush is full</source>
-        <translation>Anteil des Radius, innerhalb dessen der Pinsel voll deckt</translation>
-    </message>
-    <message>
         <source>Strength</source>
         <translation>Stärke</translation>
     </message>
     <message>
-        <source>How far one stroke goes</source>
-        <translation>Wie weit ein Strich geht</translation>
-    </message>
-    <message>
         <source>Erase</source>
         <translation>Radieren</translation>
-    </message>
-    <message>
-        <source>Paint back to the start value; Shift does it for one stroke</source>
-        <translation>Zum Anfangswert zurück malen; mit der Umschalttaste für einen Strich</translation>
     </message>
     <message>
         <source>Vary %1</source>
@@ -1641,16 +1872,8 @@
         <translation>%1 entfernen</translation>
     </message>
     <message>
-        <source>The parameter is the same everywhere again</source>
-        <translation>Der Parameter ist wieder überall gleich</translation>
-    </message>
-    <message>
         <source>Source of %1</source>
         <translation>Quelle von %1</translation>
-    </message>
-    <message>
-        <source>What the parameter follows</source>
-        <translation>Wem der Parameter folgt</translation>
     </message>
     <message>
         <source>Paint</source>
@@ -1712,88 +1935,40 @@
         <source>Mask of %1</source>
         <translation>Maske von %1</translation>
     </message>
+    <message>
+        <source>Variation</source>
+        <translation>Variation</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>Fraction of the radius at full strength</source>
+        <translation>Anteil des Radius mit voller Stärke</translation>
+    </message>
+    <message>
+        <source>Opacity of one stroke</source>
+        <translation>Deckkraft eines Strichs</translation>
+    </message>
+    <message>
+        <source>Paint the start value; hold Shift to do so for one stroke</source>
+        <translation>Den Anfangswert malen; Umschalttaste halten: nur für einen Strich</translation>
+    </message>
+    <message>
+        <source>Use one value for the whole segment</source>
+        <translation>Einen Wert für das ganze Segment verwenden</translation>
+    </message>
+    <message>
+        <source>Choose what the parameter follows</source>
+        <translation>Wählen, wem der Parameter folgt</translation>
+    </message>
 </context>
 <context>
     <name>ui::EnvironmentPanel</name>
     <message>
-        <source>What the loaded map does</source>
-        <translation>Was die geladene Karte tut</translation>
-    </message>
-    <message>
-        <source>A loaded map is all of the light, or only what the photograph does not show of it</source>
-        <translation>Eine geladene Karte ist das ganze Licht oder nur das, was das Foto davon nicht zeigt</translation>
-    </message>
-    <message>
-        <source>Replaces the recovered light</source>
-        <translation>Ersetzt das gewonnene Licht</translation>
-    </message>
-    <message>
-        <source>Completes the recovered light</source>
-        <translation>Ergänzt das gewonnene Licht</translation>
-    </message>
-    <message>
-        <source>Unseen directions</source>
-        <translation>Ungesehene Richtungen</translation>
-    </message>
-    <message>
-        <source>How directions that nothing in the photograph shows are filled</source>
-        <translation>Wie Richtungen gefüllt werden, die nichts im Foto zeigt</translation>
-    </message>
-    <message>
-        <source>Gaps: smooth</source>
-        <translation>Lücken: glatt</translation>
-    </message>
-    <message>
-        <source>Gaps: inverse distance (Shepard)</source>
-        <translation>Lücken: inverser Abstand (Shepard)</translation>
-    </message>
-    <message>
-        <source>Lobe width by hand</source>
-        <translation>Keulenbreite von Hand</translation>
-    </message>
-    <message>
-        <source>Replace the estimated width of the segment&apos;s reflections (GGX alpha)</source>
-        <translation>Die geschätzte Breite der Spiegelungen des Segments ersetzen (GGX-Alpha)</translation>
-    </message>
-    <message>
-        <source>Lobe width</source>
-        <translation>Keulenbreite</translation>
-    </message>
-    <message>
-        <source>How blurred the segment&apos;s reflections are in the photograph (GGX alpha)</source>
-        <translation>Wie unscharf die Spiegelungen des Segments im Foto sind (GGX-Alpha)</translation>
-    </message>
-    <message>
-        <source>Change use of the map</source>
-        <translation>Verwendung der Karte ändern</translation>
-    </message>
-    <message>
-        <source>Change filling of gaps</source>
-        <translation>Füllen der Lücken ändern</translation>
-    </message>
-    <message>
-        <source>Set lobe width</source>
-        <translation>Keulenbreite setzen</translation>
-    </message>
-    <message>
-        <source>Estimate lobe width</source>
-        <translation>Keulenbreite schätzen</translation>
-    </message>
-    <message>
         <source>Lobe width %1, estimated</source>
         <translation>Keulenbreite %1, geschätzt</translation>
-    </message>
-    <message>
-        <source>Lobe width %1, assumed: nothing with detail is reflected</source>
-        <translation>Keulenbreite %1, angenommen: es spiegelt sich nichts mit Einzelheiten</translation>
-    </message>
-    <message>
-        <source>Map shown</source>
-        <translation>Gezeigte Karte</translation>
-    </message>
-    <message>
-        <source>The light around the scene, or what is known about the selected glossy segment</source>
-        <translation>Das Licht um die Szene oder was über das gewählte glänzende Segment bekannt ist</translation>
     </message>
     <message>
         <source>Light around the scene</source>
@@ -1810,14 +1985,6 @@
     <message>
         <source>Directional map</source>
         <translation>Richtungskarte</translation>
-    </message>
-    <message>
-        <source>Mark what is guessed</source>
-        <translation>Geschätztes kennzeichnen</translation>
-    </message>
-    <message>
-        <source>Hatch the directions nothing in the photograph reflects; they are interpolated</source>
-        <translation>Richtungen schraffieren, die nichts im Foto spiegelt; sie sind interpoliert</translation>
     </message>
     <message>
         <source>View exposure</source>
@@ -1840,52 +2007,12 @@
         <translation>HDRI laden…</translation>
     </message>
     <message>
-        <source>Light the edits with a latitude-longitude map (EXR or HDR) in place of the recovered one</source>
-        <translation>Mit einer Längen-Breiten-Karte (EXR oder HDR) statt mit dem wiedergewonnenen Licht beleuchten</translation>
-    </message>
-    <message>
         <source>Recover</source>
         <translation>Wiedergewinnen</translation>
     </message>
     <message>
-        <source>Go back to the light recovered from the photograph</source>
-        <translation>Zurück zum aus dem Foto gewonnenen Licht</translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Turns the light about the vertical axis of the camera</source>
-        <translation>Dreht das Licht um die senkrechte Achse der Kamera</translation>
-    </message>
-    <message>
-        <source>Strength</source>
-        <translation>Stärke</translation>
-    </message>
-    <message>
-        <source>Factor on the radiance of the light</source>
-        <translation>Faktor auf die Strahldichte des Lichts</translation>
-    </message>
-    <message>
         <source>Reflectance of the segment</source>
         <translation>Reflexionsgrad des Segments</translation>
-    </message>
-    <message>
-        <source>Set by hand</source>
-        <translation>Von Hand</translation>
-    </message>
-    <message>
-        <source>Replace the estimated ratio of reflected to arriving light</source>
-        <translation>Das geschätzte Verhältnis von gespiegeltem zu ankommendem Licht ersetzen</translation>
-    </message>
-    <message>
-        <source>Reflectance</source>
-        <translation>Reflexionsgrad</translation>
     </message>
     <message>
         <source>Load environment</source>
@@ -1898,14 +2025,6 @@
     <message>
         <source>Recover light</source>
         <translation>Licht wiedergewinnen</translation>
-    </message>
-    <message>
-        <source>Set reflectance</source>
-        <translation>Reflexionsgrad setzen</translation>
-    </message>
-    <message>
-        <source>Estimate reflectance</source>
-        <translation>Reflexionsgrad schätzen</translation>
     </message>
     <message>
         <source>The environment map &quot;%1&quot; is %2x%3 pixels; a latitude-longitude map is twice as wide as high.</source>
@@ -1932,14 +2051,6 @@
         <translation>ρ = %1, %2, %3</translation>
     </message>
     <message>
-        <source> (yours)</source>
-        <translation> (Ihr Wert)</translation>
-    </message>
-    <message>
-        <source>. Only %1 sr are known both ways: a guess, better set it by hand.</source>
-        <translation>. Nur %1 sr sind beidseitig bekannt: geschätzt, besser von Hand setzen.</translation>
-    </message>
-    <message>
         <source>, from %1 sr known both ways</source>
         <translation>, aus %1 sr, die beidseitig bekannt sind</translation>
     </message>
@@ -1948,12 +2059,48 @@
         <translation>Das Licht wird wiedergewonnen.</translation>
     </message>
     <message>
-        <source>Nothing is open.</source>
-        <translation>Nichts ist geöffnet.</translation>
-    </message>
-    <message>
         <source>There is no light to show.</source>
         <translation>Es gibt kein Licht zu zeigen.</translation>
+    </message>
+    <message>
+        <source>Displayed map</source>
+        <translation>Gezeigte Karte</translation>
+    </message>
+    <message>
+        <source>Show the light around the scene, or the maps of the selected glossy segment</source>
+        <translation>Das Licht um die Szene oder die Karten des gewählten glänzenden Segments zeigen</translation>
+    </message>
+    <message>
+        <source>Highlight estimated directions</source>
+        <translation>Geschätzte Richtungen hervorheben</translation>
+    </message>
+    <message>
+        <source>Hatch the interpolated directions, which nothing in the photograph reflects</source>
+        <translation>Die interpolierten Richtungen schraffieren, die nichts im Foto spiegelt</translation>
+    </message>
+    <message>
+        <source>Light the edits with a latitude-longitude map (EXR or HDR) instead of the recovered light</source>
+        <translation>Mit einer Längen-Breiten-Karte (EXR oder HDR) statt mit dem wiedergewonnenen Licht beleuchten</translation>
+    </message>
+    <message>
+        <source>Return to the light recovered from the photograph</source>
+        <translation>Zurück zum aus dem Foto gewonnenen Licht</translation>
+    </message>
+    <message>
+        <source> (custom)</source>
+        <translation> (eigener Wert)</translation>
+    </message>
+    <message>
+        <source>. Only %1 sr are known both ways: a guess, better set it yourself.</source>
+        <translation>. Nur %1 sr sind beidseitig bekannt: geschätzt, besser selbst setzen.</translation>
+    </message>
+    <message>
+        <source>Lobe width %1, assumed: the reflections show no detail</source>
+        <translation>Keulenbreite %1, angenommen: die Spiegelungen zeigen keine Einzelheiten</translation>
+    </message>
+    <message>
+        <source>No project open</source>
+        <translation>Kein Projekt geöffnet</translation>
     </message>
 </context>
 <context>
@@ -2472,10 +2619,6 @@
         <translation>Wie fotografiert gezeigt: %1</translation>
     </message>
     <message>
-        <source>Its last usable state is shown: %1</source>
-        <translation>Gezeigt wird der letzte brauchbare Stand: %1</translation>
-    </message>
-    <message>
         <source>Loading %1</source>
         <translation>%1 wird geladen</translation>
     </message>
@@ -2530,10 +2673,6 @@
     <message>
         <source>Fresnel</source>
         <translation>Fresnel</translation>
-    </message>
-    <message>
-        <source>How reflection grows towards grazing angles</source>
-        <translation>Wie die Spiegelung zu streifenden Winkeln hin wächst</translation>
     </message>
     <message>
         <source>Same at every angle</source>
@@ -2600,22 +2739,6 @@
         <translation>Mischung</translation>
     </message>
     <message>
-        <source>New</source>
-        <translation>Neu</translation>
-    </message>
-    <message>
-        <source>Weight of the new surface</source>
-        <translation>Gewicht der neuen Oberfläche</translation>
-    </message>
-    <message>
-        <source>Photograph</source>
-        <translation>Foto</translation>
-    </message>
-    <message>
-        <source>Weight of the photograph underneath</source>
-        <translation>Gewicht des Fotos darunter</translation>
-    </message>
-    <message>
         <source>Translucency</source>
         <translation>Transluzenz</translation>
     </message>
@@ -2630,10 +2753,6 @@
     <message>
         <source>Measured substances</source>
         <translation>Gemessene Stoffe</translation>
-    </message>
-    <message>
-        <source>By hand</source>
-        <translation>Von Hand</translation>
     </message>
     <message>
         <source>Absorption</source>
@@ -2658,30 +2777,6 @@
     <message>
         <source>1/mm</source>
         <translation>1/mm</translation>
-    </message>
-    <message>
-        <source>Index</source>
-        <translation>Index</translation>
-    </message>
-    <message>
-        <source>Relative index of refraction; 1 = no boundary</source>
-        <translation>Relativer Brechungsindex; 1 = keine Grenzfläche</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Pretend the object is this many times as large: larger is less translucent</source>
-        <translation>So tun, als wäre das Objekt so viel größer: größer ist weniger transluzent</translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation>Gewicht</translation>
-    </message>
-    <message>
-        <source>Factor on the light that was scattered inside</source>
-        <translation>Faktor auf das innen gestreute Licht</translation>
     </message>
     <message>
         <source>Make translucent</source>
@@ -2712,10 +2807,6 @@
         <translation>Klicken Sie ein Segment im Bild oder in der Liste an</translation>
     </message>
     <message>
-        <source>Nothing is open</source>
-        <translation>Nichts ist geöffnet</translation>
-    </message>
-    <message>
         <source>Metal</source>
         <translation>Metall</translation>
     </message>
@@ -2728,18 +2819,6 @@
         <translation>Metall wählen</translation>
     </message>
     <message>
-        <source>Model</source>
-        <translation>Modell</translation>
-    </message>
-    <message>
-        <source>Dipole</source>
-        <translation>Dipol</translation>
-    </message>
-    <message>
-        <source>Better dipole</source>
-        <translation>Besserer Dipol</translation>
-    </message>
-    <message>
         <source>Colour</source>
         <translation>Farbe</translation>
     </message>
@@ -2748,20 +2827,8 @@
         <translation>Freie Weglänge</translation>
     </message>
     <message>
-        <source>How light spreads: the better dipole is nearer to the truth where much is absorbed</source>
-        <translation>Wie sich Licht ausbreitet: Der bessere Dipol ist näher an der Wahrheit, wo viel absorbiert wird</translation>
-    </message>
-    <message>
         <source>Colour of a thick piece; changes absorption and scattering</source>
         <translation>Farbe eines dicken Stücks; ändert Absorption und Streuung</translation>
-    </message>
-    <message>
-        <source>How far light gets below the surface [mm]; changes absorption and scattering</source>
-        <translation>Wie weit Licht unter der Oberfläche kommt [mm]; ändert Absorption und Streuung</translation>
-    </message>
-    <message>
-        <source>Change scattering model</source>
-        <translation>Streumodell ändern</translation>
     </message>
     <message>
         <source>Change diffusion colour</source>
@@ -2770,6 +2837,30 @@
     <message>
         <source>Change free path</source>
         <translation>Freie Weglänge ändern</translation>
+    </message>
+    <message>
+        <source>How reflection increases towards grazing angles</source>
+        <translation>Wie die Spiegelung zu streifenden Winkeln hin zunimmt</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Eigene Werte</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Depth that light reaches [mm]; changes absorption and scattering</source>
+        <translation>Tiefe, die Licht erreicht [mm]; ändert Absorption und Streuung</translation>
+    </message>
+    <message>
+        <source>Showing the last valid version: %1</source>
+        <translation>Gezeigt wird die letzte gültige Fassung: %1</translation>
+    </message>
+    <message>
+        <source>No project open</source>
+        <translation>Kein Projekt geöffnet</translation>
     </message>
 </context>
 <context>
@@ -2875,10 +2966,21 @@
     </message>
 </context>
 <context>
+    <name>ui::ParamControl</name>
+    <message>
+        <source>%1: automatic</source>
+        <translation>%1: automatisch</translation>
+    </message>
+    <message>
+        <source>Use the estimate from the photograph</source>
+        <translation>Die Schätzung aus dem Foto verwenden</translation>
+    </message>
+</context>
+<context>
     <name>ui::ParamSlider</name>
     <message>
         <source>%1
-Double-click the label to return to %2.</source>
+Double-click the label to reset to %2.</source>
         <translation>%1
 Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     </message>
@@ -2901,114 +3003,6 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
 <context>
     <name>ui::RenderPanel</name>
     <message>
-        <source>Samples</source>
-        <translation>Abtastungen</translation>
-    </message>
-    <message>
-        <source>Light paths per pixel at which the picture is finished</source>
-        <translation>Lichtpfade je Pixel, bei denen das Bild fertig ist</translation>
-    </message>
-    <message>
-        <source>Bounces</source>
-        <translation>Reflexionen</translation>
-    </message>
-    <message>
-        <source>Surfaces a light path may visit; 1 lets folds mirror an object&apos;s old colour</source>
-        <translation>Flächen, die ein Lichtpfad besuchen darf; bei 1 spiegeln Falten die alte Farbe des Objekts</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Startwert</translation>
-    </message>
-    <message>
-        <source>The same seed gives the same picture</source>
-        <translation>Derselbe Startwert ergibt dasselbe Bild</translation>
-    </message>
-    <message>
-        <source>Surface samples</source>
-        <translation>Oberflächenpunkte</translation>
-    </message>
-    <message>
-        <source>Translucency: points on front and back of a segment</source>
-        <translation>Transluzenz: Punkte auf Vorder- und Rückseite eines Segments</translation>
-    </message>
-    <message>
-        <source>Irradiance rays</source>
-        <translation>Lichtpfade</translation>
-    </message>
-    <message>
-        <source>Translucency: light paths per surface point</source>
-        <translation>Transluzenz: Lichtpfade je Oberflächenpunkt</translation>
-    </message>
-    <message>
-        <source>Smooth noise, keep edges</source>
-        <translation>Rauschen glätten, Kanten erhalten</translation>
-    </message>
-    <message>
-        <source>Edge-aware filter of the new picture, inside each segment</source>
-        <translation>Kantenerhaltender Filter des neuen Bildes, innerhalb jedes Segments</translation>
-    </message>
-    <message>
-        <source>Change filter</source>
-        <translation>Filter ändern</translation>
-    </message>
-    <message>
-        <source>Filter the depth map</source>
-        <translation>Tiefenkarte filtern</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>The filter follows the noise that is measured in the depth map</source>
-        <translation>Der Filter richtet sich nach dem Rauschen, das in der Tiefenkarte gemessen wird</translation>
-    </message>
-    <message>
-        <source>Joint bilateral filter: smooth surfaces, sharp outlines</source>
-        <translation>Gemeinsamer bilateraler Filter: glatte Flächen, scharfe Umrisse</translation>
-    </message>
-    <message>
-        <source>Change depth filter</source>
-        <translation>Tiefenfilter ändern</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Radius</translation>
-    </message>
-    <message>
-        <source>px</source>
-        <translation>px</translation>
-    </message>
-    <message>
-        <source>Size of the depth filter</source>
-        <translation>Größe des Tiefenfilters</translation>
-    </message>
-    <message>
-        <source>Colour range</source>
-        <translation>Farbabstand</translation>
-    </message>
-    <message>
-        <source>Colours further apart than this do not mix</source>
-        <translation>Farben, die weiter auseinander liegen, mischen sich nicht</translation>
-    </message>
-    <message>
-        <source>Depth range</source>
-        <translation>Tiefenabstand</translation>
-    </message>
-    <message>
-        <source>Depths that differ by a larger fraction do not mix</source>
-        <translation>Tiefen mit größerem Verhältnis mischen sich nicht</translation>
-    </message>
-    <message>
-        <source>Fill holes to</source>
-        <translation>Löcher bis</translation>
-    </message>
-    <message>
-        <source>Holes up to this radius inside one segment are filled [pixels]</source>
-        <translation>Löcher bis zu diesem Radius in einem Segment werden gefüllt [Pixel]</translation>
-    </message>
-    <message>
         <source>Picture</source>
         <translation>Bild</translation>
     </message>
@@ -3019,50 +3013,6 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     <message>
         <source>Depth</source>
         <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>Change %1</source>
-        <translation>%1 ändern</translation>
-    </message>
-    <message>
-        <source>Quality</source>
-        <translation>Güte</translation>
-    </message>
-    <message>
-        <source>How exactly the light of all surface samples is summed</source>
-        <translation>Wie genau das Licht aller Oberflächenproben summiert wird</translation>
-    </message>
-    <message>
-        <source>Draft</source>
-        <translation>Entwurf</translation>
-    </message>
-    <message>
-        <source>Standard</source>
-        <translation>Standard</translation>
-    </message>
-    <message>
-        <source>Fine</source>
-        <translation>Fein</translation>
-    </message>
-    <message>
-        <source>Change translucency quality</source>
-        <translation>Güte der Transluzenz ändern</translation>
-    </message>
-    <message>
-        <source>Time limit</source>
-        <translation>Zeitgrenze</translation>
-    </message>
-    <message>
-        <source>Seconds after which the view is not refined any more; pictures that are exported have all samples</source>
-        <translation>Sekunden, nach denen die Ansicht nicht weiter verfeinert wird; exportierte Bilder haben alle Abtastungen</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keine</translation>
-    </message>
-    <message>
-        <source> s</source>
-        <translation> s</translation>
     </message>
 </context>
 <context>
@@ -3084,24 +3034,12 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
         <translation>Bearbeitet</translation>
     </message>
     <message>
-        <source>What a glossy segment shows are reflections: the light is read from them.</source>
-        <translation>Ein glänzendes Segment zeigt Spiegelungen: Daraus wird das Licht gelesen.</translation>
-    </message>
-    <message>
-        <source>Click selects a segment, double-click renames it, the box flags it as glossy.</source>
-        <translation>Klick wählt ein Segment, Doppelklick benennt es um, das Kästchen markiert es als glänzend.</translation>
-    </message>
-    <message>
         <source>No segments: open a project, or a photograph with a label map.</source>
         <translation>Keine Segmente: Öffnen Sie ein Projekt oder ein Foto mit Segmentkarte.</translation>
     </message>
     <message>
         <source>Segment %1, label %2</source>
         <translation>Segment %1, Nummer %2</translation>
-    </message>
-    <message>
-        <source>Glossy: what this segment shows are reflections</source>
-        <translation>Glänzend: Was dieses Segment zeigt, sind Spiegelungen</translation>
     </message>
     <message>
         <source>Has a new material</source>
@@ -3130,6 +3068,18 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     <message>
         <source>Rename segment</source>
         <translation>Segment umbenennen</translation>
+    </message>
+    <message>
+        <source>Glossy segments show reflections, from which the light is recovered.</source>
+        <translation>Glänzende Segmente zeigen Spiegelungen, aus denen das Licht gewonnen wird.</translation>
+    </message>
+    <message>
+        <source>Click to select a segment, double-click to rename it, check the box to flag it as glossy.</source>
+        <translation>Klicken wählt ein Segment, Doppelklicken benennt es um, das Kästchen markiert es als glänzend.</translation>
+    </message>
+    <message>
+        <source>Treat the segment&apos;s colours as reflections</source>
+        <translation>Die Farben des Segments als Spiegelungen verstehen</translation>
     </message>
 </context>
 <context>

@@ -4,7 +4,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -16,6 +15,7 @@
 #include "app/bench/bench_embree.h"
 #include "app/bench/bench_translucency.h"
 #include "core/analysis/pipeline.h"
+#include "core/base/clock.h"
 #include "core/base/color.h"
 #include "core/base/parallel.h"
 #include "core/geometry/depth_layers.h"
@@ -32,21 +32,17 @@
 namespace render {
 namespace {
 
-/// Device time a frame of the window leaves to the renderer.
+/// Device time per frame of the window that the renderer gets [s].
 constexpr double kFrameSeconds = 0.03;
 
-/// [BRD14] for 5 rays through each pixel of its Dragon, 1024x1024 pixels, on a GTX 760.
+/// Time of [BRD14] for 5 rays through each pixel of its Dragon, 1024x1024 pixels, on a GTX 760 [s].
 constexpr double kPaperSeconds = 0.045;
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 struct Benchmarks {
     gpu::Device device;
     const core::Scene& scene;
     std::shared_ptr<const core::Analysis> analysis;
-    core::AnalysisKernels& kernels;  ///< asked for by the user
+    core::AnalysisKernels& kernels;  ///< chosen by the user
     core::Progress progress;
     std::vector<BenchResult> results;
 
@@ -77,8 +73,8 @@ struct Benchmarks {
     [[nodiscard]] double renderSeconds(Renderer& renderer, bool firstPictureOnly, double budgetSeconds) const;
 };
 
-/// Cosine-weighted rays from random visible surface points, row by row: what re-shading a matte picture would march, in
-/// the order in which it would.
+/// Cosine-weighted rays from random visible surface points, row by row: the rays of re-shading a matte picture, in its
+/// order.
 std::vector<Ray> Benchmarks::cosineRays(std::size_t count) const {
     const core::Surface& front = *analysis->front;
     std::vector<std::size_t> visible;
@@ -104,14 +100,8 @@ std::vector<Ray> Benchmarks::cosineRays(std::size_t count) const {
     return rays;
 }
 
-void Benchmarks::march() {
-    constexpr std::size_t kRays = 1 << 18;
-    constexpr std::size_t kSlowRays = 1 << 14;  // for the methods that are slow on a processor
-    const core::DepthLayers sceneLayers = layers();
-    SceneGeometry geometry(device);
-    geometry.setLayers(sceneLayers, scene.photo->color, *analysis->front, *analysis->back);
-    geometry.setEnvironment(core::DirectionalMap());
-
+/// Best time of several builds [s].
+double pyramidBuildSeconds(const gpu::Device& device, SceneGeometry& geometry) {
     double build = std::numeric_limits<double>::max();
     for (int i = 0; i < kTimedBuilds; ++i) {
         gpu::PassTimer timer(device);
@@ -121,18 +111,42 @@ void Benchmarks::march() {
             geometry.recordPyramid(encoder);
         }
         device.waitIdle();
-        const auto start = Clock::now();
+        const auto start = core::Clock::now();
         device.queue().submit(encoder.finish());
         device.waitIdle();
-        double seconds = secondsSince(start);
+        double seconds = core::secondsSince(start);
         for (const auto& timing : timer.takeResults()) seconds = timing.seconds;
         build = std::min(build, seconds);
     }
+    return build;
+}
+
+/// Share of `hits` that the oracle confirms.
+double oracleAgreement(const core::DepthLayers& layers, const std::vector<Ray>& rays, const std::vector<RayHit>& hits,
+                       const core::Progress& progress) {
+    std::size_t agreed = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (i % 1024 == 0) progress.checkpoint(static_cast<float>(i) / static_cast<float>(rays.size()));
+        const auto expected = core::march(layers, rays[i].origin, rays[i].direction);
+        agreed += expected ? hits[i].found && hits[i].x == expected->x && hits[i].y == expected->y : !hits[i].found;
+    }
+    return static_cast<double>(agreed) / static_cast<double>(rays.size());
+}
+
+void Benchmarks::march() {
+    constexpr std::size_t kRays = 1 << 18;
+    constexpr std::size_t kSlowRays = 1 << 14;  // for methods that are slow on a processor
+    const core::DepthLayers sceneLayers = layers();
+    SceneGeometry geometry(device);
+    geometry.setLayers(sceneLayers, scene.photo->color, *analysis->front, *analysis->back);
+    geometry.setEnvironment(core::DirectionalMap());
+
+    const double build = pyramidBuildSeconds(device, geometry);
     add("march", "build_seconds.pyramid", build, "s");
 
     RayMarcher marcher(device, geometry);
     const std::vector<Ray> rays = cosineRays(kRays);
-    // Whole workgroups from everywhere.
+    // Whole workgroups from all over the picture.
     constexpr std::size_t kGroup = 64;
     std::vector<Ray> fewRays;
     for (std::size_t i = 0; i < kRays; ++i)
@@ -146,7 +160,7 @@ void Benchmarks::march() {
         }
         return static_cast<double>(list.size()) / best;
     };
-    // Steps of the least thickness a segment can have; as long as the scene is deep.
+    // Steps of the minimum thickness of a segment, over the depth of the scene.
     float farthest = 0;
     for (const float z : analysis->front->depth.pixels()) farthest = std::max(farthest, z);
     const ConstantStepParams steps{.stepSize = core::BackSideParams().minThickness, .maxDistance = 2 * farthest};
@@ -170,17 +184,11 @@ void Benchmarks::march() {
     const std::vector<RayHit> hits = marcher.march(fewRays, MarchMethod::Pyramid);
     const auto found = std::count_if(hits.begin(), hits.end(), [](const RayHit& hit) { return hit.found; });
     add("march", "hit_share.pyramid", static_cast<double>(found) / kSlowRays, "1");
-    std::size_t agreed = 0;
-    for (std::size_t i = 0; i < fewRays.size(); ++i) {
-        if (i % 1024 == 0) progress.checkpoint(static_cast<float>(i) / kSlowRays);
-        const auto expected = core::march(sceneLayers, fewRays[i].origin, fewRays[i].direction);
-        agreed += expected ? hits[i].found && hits[i].x == expected->x && hits[i].y == expected->y : !hits[i].found;
-    }
-    add("march", "oracle_agreement", static_cast<double>(agreed) / kSlowRays, "1");
+    add("march", "oracle_agreement", oracleAgreement(sceneLayers, fewRays, hits, progress), "1");
 }
 
-/// The scene with one segment edited and no other: the first glossy one, else the largest that is not the largest of
-/// all (which is what things stand on).
+/// The scene with only one segment edited: the first glossy one, otherwise the second largest (the largest is usually
+/// what objects stand on).
 core::Scene Benchmarks::withEdit(const core::Material& material) const {
     core::Scene edited = scene;
     std::map<std::uint16_t, std::size_t> sizes;
@@ -213,7 +221,7 @@ std::size_t Benchmarks::editedPixels() const {
 
 double Benchmarks::renderSeconds(Renderer& renderer, bool firstPictureOnly, double budgetSeconds) const {
     device.waitIdle();
-    const auto start = Clock::now();
+    const auto start = core::Clock::now();
     bool worked = true;
     while (worked && !(firstPictureOnly && renderer.progress().samples >= 1)) {
         gpu::CommandEncoder encoder = device.createCommandEncoder({.label = "benchmark"});
@@ -222,7 +230,7 @@ double Benchmarks::renderSeconds(Renderer& renderer, bool firstPictureOnly, doub
         device.waitIdle();
         progress.checkpoint(renderer.progress().fraction);
     }
-    return secondsSince(start);
+    return core::secondsSince(start);
 }
 
 void Benchmarks::reshade() {
@@ -232,7 +240,7 @@ void Benchmarks::reshade() {
     edited.render.filter = false;
     Renderer renderer(device);
     renderer.setScene(edited, analysis);
-    (void)renderSeconds(renderer, false, 0.1);  // learns what slices cost
+    (void)renderSeconds(renderer, false, 0.1);  // measures the cost of slices
     edited.render.seed += 1;
     renderer.setScene(edited, analysis);
     add("reshade", "seconds_per_5_rays", renderSeconds(renderer, false, 0.1), "s");
@@ -243,12 +251,12 @@ void Benchmarks::reshade() {
     add("reshade", "first_picture_seconds", renderSeconds(renderer, true, kFrameSeconds), "s");
 }
 
-/// What `renderer` shows after `seconds`.
+/// The picture of `renderer` after `seconds`.
 core::ImageRgb Benchmarks::rendered(Renderer& renderer, double seconds) const {
     device.waitIdle();
-    const auto start = Clock::now();
+    const auto start = core::Clock::now();
     bool worked = true;
-    while (worked && secondsSince(start) < seconds) {
+    while (worked && core::secondsSince(start) < seconds) {
         gpu::CommandEncoder encoder = device.createCommandEncoder({.label = "benchmark"});
         worked = renderer.record(encoder, kFrameSeconds);
         device.queue().submit(encoder.finish());
@@ -302,7 +310,7 @@ std::vector<std::size_t> Benchmarks::chosenPixels(const core::Scene& edited, std
     return pixels;
 }
 
-/// Mean of many paths through each of `pixels`, by the CPU twin: luminance.
+/// Mean luminance of many paths through each of `pixels`, by the CPU twin.
 std::vector<double> Benchmarks::manyPaths(const core::Scene& reference,
                                           const std::shared_ptr<const core::Analysis>& lit,
                                           const std::vector<std::size_t>& pixels, std::uint32_t paths) const {
@@ -351,7 +359,7 @@ void Benchmarks::quality() {
             timed.render.filter = filter;
             timed.render.samples = 1 << 20;
             renderer.setScene(timed, lit);
-            (void)rendered(renderer, 1);  // learns what slices cost
+            (void)rendered(renderer, 1);  // measures the cost of slices
             for (const double seconds : {0.1, 0.3, 1.0, 3.0}) {
                 timed.render.seed += 1;
                 renderer.setScene(timed, lit);
@@ -386,21 +394,21 @@ std::map<std::string, double> Benchmarks::analysisSeconds(core::AnalysisKernels&
                                                                {core::Task::EstimateReflectance, "reflectance"},
                                                                {core::Task::RecoverEnvironment, "environment"}};
     std::map<std::string, double> seconds;
-    auto last = Clock::now();
+    auto last = core::Clock::now();
     std::mutex mutex;  // reports come from any thread
     const core::Progress timed([&](core::Task task, float fraction) {
-        const auto now = Clock::now();
+        const auto now = core::Clock::now();
         const std::lock_guard lock(mutex);
-        // Steps report when they begin and when they end; what lies between belongs to the step that reports.
+        // Steps report their begin and end; the time in between belongs to the reporting step.
         const auto metric = kMetrics.find(task);
         if (metric != kMetrics.end()) seconds[metric->second] += std::chrono::duration<double>(now - last).count();
         last = now;
         progress.checkpoint(fraction);
     });
-    const auto start = Clock::now();
+    const auto start = core::Clock::now();
     core::AnalysisPipeline pipeline;
     (void)pipeline.run(scene, timed, twin);
-    seconds["total"] = secondsSince(start);
+    seconds["total"] = core::secondsSince(start);
     return seconds;
 }
 
@@ -420,13 +428,13 @@ void Benchmarks::analyse() {
     const std::map<std::string, double> cpu = analysisSeconds(core::cpuAnalysisKernels());
     double peak = peakBytes();
     GpuAnalysisKernels deviceKernels(device);
-    (void)analysisSeconds(deviceKernels);  // compiles what it uses
+    (void)analysisSeconds(deviceKernels);  // compiles the kernels
     const std::map<std::string, double> gpu = analysisSeconds(deviceKernels);
     if (onDevice) peak = peakBytes();
     addAll("seconds.", onDevice ? gpu : cpu);
     add("analyse", "peak_bytes", peak, "B");
     addAll("cpu_seconds.", cpu);
-    // Times of a device that gave up are the CPU's.
+    // After a failure of the device its times would be those of the CPU.
     if (deviceKernels.takeNotes().empty()) addAll("gpu_seconds.", gpu);
 }
 

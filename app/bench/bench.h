@@ -21,12 +21,12 @@ struct BenchResult {
     std::string unit;
 };
 
-/// The benchmarks there are, in the order they run: march, reshade, quality, translucency, analyse.
+/// Names of all benchmarks in the order they run: march, reshade, quality, translucency, analyse.
 [[nodiscard]] const std::vector<std::string>& benchmarkNames();
 
 /// Runs the named benchmarks (all of them when `names` is empty) on the device and returns their metrics
-/// (docs/command-line.md). Metrics of algorithms this build does not have are absent. `analyse` measures both twins:
-/// seconds.* is what the context's kernels take, cpu_seconds.* and gpu_seconds.* the CPU and the device. Throws
+/// (docs/command-line.md). Metrics of algorithms that are not in this build are absent. `analyse` measures both twins:
+/// seconds.* with `kernels`, cpu_seconds.* on the CPU and gpu_seconds.* on the device. Throws
 /// core::Error(Usage) for an unknown name, Error(Input) when the scene has nothing to measure (no segment, no valid
 /// depth), Error(Cancelled) when stopped.
 [[nodiscard]] std::vector<BenchResult> runBenchmarks(const std::vector<std::string>& names, gpu::Device device,

@@ -8,8 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <limits>
+
+#include "core/base/clock.h"
 #endif
 
 namespace render {
@@ -17,9 +18,6 @@ namespace render {
 #ifdef PATINA_EMBREE
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double elapsedSeconds(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 struct Mesh {
     std::vector<core::Vector3f> vertices;  ///< front positions, then back positions
@@ -72,7 +70,7 @@ std::optional<EmbreeTimes> benchEmbree(const core::Surface& front, const core::S
     RTCScene scene = nullptr;
     for (int i = 0; i < kTimedBuilds; ++i) {
         if (scene != nullptr) rtcReleaseScene(scene);
-        const auto start = Clock::now();
+        const auto start = core::Clock::now();
         const Mesh mesh = meshOf(front, back, labels);
         const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
         auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
@@ -88,13 +86,13 @@ std::optional<EmbreeTimes> benchEmbree(const core::Surface& front, const core::S
         rtcAttachGeometry(scene, geometry);
         rtcReleaseGeometry(geometry);
         rtcCommitScene(scene);
-        times.buildSeconds = std::min(times.buildSeconds, elapsedSeconds(start));
+        times.buildSeconds = std::min(times.buildSeconds, core::secondsSince(start));
     }
     double best = std::numeric_limits<double>::max();
     std::atomic<std::size_t> hits{0};
     for (int i = 0; i < kTimedMarches; ++i) {
         hits = 0;
-        const auto start = Clock::now();
+        const auto start = core::Clock::now();
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), 1024), [&](const auto& range) {
             std::size_t found = 0;
             for (std::size_t r = range.begin(); r < range.end(); ++r) {
@@ -116,7 +114,7 @@ std::optional<EmbreeTimes> benchEmbree(const core::Surface& front, const core::S
             }
             hits += found;
         });
-        best = std::min(best, elapsedSeconds(start));
+        best = std::min(best, core::secondsSince(start));
     }
     times.raysPerSecond = static_cast<double>(rays.size()) / best;
     times.hitShare = static_cast<double>(hits) / static_cast<double>(rays.size());

@@ -9,16 +9,16 @@
 
 namespace render {
 
-/// How often builds and marches are timed, ours as well as Embree's; the least counts: a run takes some hundredths of a
-/// second, and other programs have times of their own.
+/// Repetitions of builds and marches, ours as well as Embree's. The shortest counts, because a run takes some
+/// hundredths of a second and other programs disturb it.
 inline constexpr int kTimedBuilds = 10;
 inline constexpr int kTimedMarches = 50;
 
-/// A triangle ray tracer over the same two layers: what the marching is compared with.
+/// Performance of a triangle ray tracer on the same two layers, for comparison with marching.
 struct EmbreeTimes {
-    double buildSeconds = 0;   ///< triangles and hierarchy
-    double raysPerSecond = 0;  ///< all cores, nearest hits
-    double hitShare = 0;       ///< of the rays that hit anything
+    double buildSeconds = 0;   ///< for triangles and hierarchy
+    double raysPerSecond = 0;  ///< nearest hits on all cores
+    double hitShare = 0;       ///< share of rays that hit anything
 };
 
 /// Traces `rays` against both layers as triangles: neighbouring pixel centres of one segment are joined, outlines are

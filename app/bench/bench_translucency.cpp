@@ -2,14 +2,15 @@
 #include "app/bench/bench_translucency.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <string>
 
+#include "core/base/clock.h"
 #include "core/base/parallel.h"
 #include "core/shading/segment_shading.h"
 #include "core/shading/surface_samples.h"
@@ -19,21 +20,18 @@
 #include "render/passes/translucency_pass.h"
 #include "render/renderer.h"
 #include "render/scene_geometry.h"
-#include "shaders/shared/diffusion.h"
 
 namespace render {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::uint32_t kRays = 4;            // per surface sample
 constexpr std::size_t kTestPairs = 60000000;  // summed one by one, for the error
 
-/// What a sum takes.
+/// Cost of a sum.
 struct Times {
     double light = 0;  ///< samples' light into the grids [s]
-    double sum = 0;    ///< from there to the pixels [s]
-    double pairs = 0;  ///< values multiplied and added for the latter: cells and pixels times what they read
+    double sum = 0;    ///< from the grids to the pixels [s]
+    double pairs = 0;  ///< products added for the latter: cells and pixels times the values they read
     double cells = 0;
 };
 
@@ -52,7 +50,7 @@ struct Bench {
     std::vector<kernel::SegmentShading> shading{};
     MeasuredTables measured{};
 
-    // Of one number of samples.
+    // For one number of samples.
     core::SurfaceSamples samples{};
     std::vector<float> areas{};
     SurfacePoints points{};
@@ -69,7 +67,7 @@ struct Bench {
         double rms = 0;
         double max = 0;
     };
-    /// `seconds`: what all pixels would take.
+    /// `seconds`: time for all pixels.
     [[nodiscard]] Error compare(double* seconds = nullptr) const;
 };
 
@@ -81,7 +79,6 @@ Bench::Bench(gpu::Device d, const core::Scene& s, const core::Analysis& a, const
     geometry.setLayers(layers, scene.photo->color, *analysis.front, *analysis.back);
     geometry.setEnvironment(analysis.environment ? *analysis.environment : core::DirectionalMap());
     shading = core::buildSegmentShading(scene, analysis);
-    (void)measured.use(placeMeasured(scene, shading));
     std::uint32_t brdfs = 0;
     for (const kernel::SegmentShading& entry : shading)
         if (entry.blend.w != 0) brdfs |= 1U << entry.brdf.type;
@@ -90,7 +87,7 @@ Bench::Bench(gpu::Device d, const core::Scene& s, const core::Analysis& a, const
     paths.dropped = makeBuffer(device, "dropped samples", gpu::BufferUsage::Storage, std::vector<kernel::uint>{0});
     paths.drives = makeBuffer(device, "drives", gpu::BufferUsage::Storage, std::vector<kernel::Drive>());
     paths.driveValues = makeBuffer(device, "drive values", gpu::BufferUsage::Storage, std::vector<float>());
-    paths.measured = measured.buffer(device);
+    paths.measured = measured.upload(device, placeMeasured(scene, shading));
     targets.diffusion = device.createTexture({.label = "diffusion",
                                               .size = {geometry.width(), geometry.height()},
                                               .format = gpu::TextureFormat::RGBA32Float,
@@ -146,17 +143,17 @@ void Bench::prepare(int count) {
     }
 }
 
-/// Sums onto all pixels; the best times of some.
+/// Sums onto all pixels; the best times of several runs.
 Times Bench::sum() {
     constexpr int kRepetitions = 5;
     const core::DiffusionKernel kernel = core::fitDiffusionKernel(profile(), grids.grid);
     const auto run = [&](const std::vector<DiffusionStep>& steps) {
-        const auto start = Clock::now();
+        const auto start = core::Clock::now();
         for (const DiffusionStep& step : steps)
             submit([&](const gpu::CommandEncoder& encoder) {
                 diffusion.record(encoder, geometry, grids, step, 0, step.count, kRays, kernel);
             });
-        return std::chrono::duration<double>(Clock::now() - start).count();
+        return core::secondsSince(start);
     };
     Times times{.light = std::numeric_limits<double>::max(), .sum = std::numeric_limits<double>::max()};
     std::vector<DiffusionStep> light = DiffusionPass::lightSteps(grids);
@@ -174,23 +171,18 @@ Times Bench::sum() {
     return times;
 }
 
-/// What the device has summed against all pairs of the profile itself.
+/// Error of the device's sum relative to the sum of all pairs with the profile itself.
 Bench::Error Bench::compare(double* seconds) const {
     const std::vector<float> result = gpu::readTexture<float>(device, targets.diffusion);
     const std::vector<kernel::vec4> sums = gpu::readBuffer<kernel::vec4>(device, points.sums, 0, points.count);
     const core::DiffusionProfile exact = profile();
-    core::Vector3f flatSurface;
-    core::Vector3f tolerance;
-    for (int c = 0; c < 3; ++c) {
-        flatSurface[c] = static_cast<float>(exact.integral(c));
-        tolerance[c] = static_cast<float>(exact.tolerance(c));
-    }
+    const core::FlatSurface flat = core::flatSurface(exact);
     const std::size_t count = std::min(kTestPairs / samples.samples.size() + 1, pixels.size());
     double squares = 0;
     double total = 0;
     Error error;
     std::mutex mutex;
-    const auto start = Clock::now();
+    const auto start = core::Clock::now();
     core::parallelFor(progress, static_cast<int>(count), [&](int i) {
         const std::uint32_t pixel = pixels[static_cast<std::size_t>(i) * pixels.size() / count];
         const auto x = static_cast<int>(pixel & 0xffffU);
@@ -207,10 +199,7 @@ Bench::Error Bench::compare(double* seconds) const {
                 whole[c] += weight;
             }
         }
-        for (int c = 0; c < 3; ++c)
-            truth[c] = static_cast<double>(kernel::diffusion_exitance(static_cast<float>(truth[c] * (M_PI / kRays)),
-                                                                      static_cast<float>(whole[c]), flatSurface[c],
-                                                                      tolerance[c]));
+        truth = flat.exitance(truth * (std::numbers::pi / kRays), whole).cast<double>();
         const float* texel = &result[4 * analysis.front->depth.index(x, y)];
         const std::lock_guard lock(mutex);
         for (int c = 0; c < 3; ++c) {
@@ -221,8 +210,7 @@ Bench::Error Bench::compare(double* seconds) const {
         }
     });
     if (seconds != nullptr)
-        *seconds = std::chrono::duration<double>(Clock::now() - start).count() * static_cast<double>(pixels.size()) /
-                   static_cast<double>(count);
+        *seconds = core::secondsSince(start) * static_cast<double>(pixels.size()) / static_cast<double>(count);
     error.rms = total > 0 ? std::sqrt(squares / total) : 0;
     return error;
 }
@@ -241,7 +229,7 @@ double updateSeconds(const gpu::Device& device, core::Scene scene,
     for (int i = 0; i <= kRepetitions; ++i) {
         for (core::Segment& segment : scene.segments)
             if (segment.edit) segment.edit->translucency->scale = 1.0f + 0.03f * static_cast<float>(i);
-        const auto start = Clock::now();
+        const auto start = core::Clock::now();
         renderer.setScene(scene, analysis);
         bool worked = true;
         while (worked) {
@@ -251,8 +239,8 @@ double updateSeconds(const gpu::Device& device, core::Scene scene,
             device.waitIdle();
             progress.checkpoint(renderer.progress().fraction);
         }
-        // The first one also lights the samples.
-        if (i > 0) best = std::min(best, std::chrono::duration<double>(Clock::now() - start).count());
+        // The first run also lights the samples.
+        if (i > 0) best = std::min(best, core::secondsSince(start));
     }
     return best;
 }

@@ -21,7 +21,7 @@ struct CreateArguments {
     std::string output;
 };
 
-/// Where a photograph may carry its depth, a line each.
+/// Files in which a photograph may carry its depth, one a line.
 std::string depthInside() {
     std::string text;
     for (const core::ImportFormat* format : core::importFormats()) text += "\n  " + std::string(format->name);
@@ -40,9 +40,9 @@ void addCreate(CLI::App& app, Session& session) {
         "the same. A photograph may carry its depth:" +
         depthInside() +
         ".\n"
-        "Without --intrinsics and --hfov the photograph's own intrinsics are used, else the focal length of its EXIF "
-        "data;\n"
-        "without that, 60 degrees are assumed.\n\n"
+        "Without --intrinsics and --hfov, the photograph's own intrinsics are used, otherwise the focal length of its "
+        "EXIF\n"
+        "data, otherwise a field of view of 60 degrees.\n\n"
         "Example:\n"
         "  patina-cli create --color desk.jpg --depth desk_mm.png --segments desk_labels.png --glossy 2,5 \\\n"
         "      --hfov 66 -o desk.patina");
@@ -53,13 +53,13 @@ void addCreate(CLI::App& app, Session& session) {
         ->add_option("--depth-kind", args->depthKind,
                      "What depth values mean: z (planar), distance (along the ray), disparity or inverse (1/z)")
         ->type_name("KIND")
-        ->check(CLI::IsMember({"z", "distance", "disparity", "inverse"}))
+        ->check(CLI::IsMember(core::wordsOf<core::DepthKind>()))
         ->capture_default_str();
     CLI::Option* unit =
         command
             ->add_option("--depth-unit", args->depthUnit,
-                         "Metres per stored unit [default: what the photograph says; else 1 for floating "
-                         "point, 0.001 for 16 bit]")
+                         "Metres per stored unit [default: as stated by the photograph, otherwise 1 for "
+                         "floating point and 0.001 for 16 bit]")
             ->type_name("METRES");
     CLI::Option* intrinsics =
         command->add_option("--intrinsics", args->intrinsics, "Focal lengths and principal point in pixels")
@@ -74,7 +74,7 @@ void addCreate(CLI::App& app, Session& session) {
     command->callback([&session, args, unit, hfov] {
         session.run = [args, unit, hfov] {
             core::CreateOptions& options = args->options;
-            options.depthKind = *core::findDepthKind(args->depthKind);
+            options.depthKind = *core::findWord<core::DepthKind>(args->depthKind);
             if (unit->count() > 0) options.depthUnit = args->depthUnit;
             if (!args->intrinsics.empty()) {
                 const std::vector<float> n = parseNumbers("--intrinsics", args->intrinsics, 4);

@@ -11,8 +11,9 @@
 
 #include "app/cli/devices.h"
 #include "app/cli/session.h"
+#include "core/base/statistics.h"
 #include "core/io/import/import_format.h"
-#include "core/io/project.h"
+#include "core/io/material_json.h"
 
 namespace cli {
 
@@ -27,16 +28,14 @@ ordered_json describeDepth(const core::ImageF& depth) {
     std::ranges::copy_if(depth.pixels(), std::back_inserter(valid), [](float z) { return z > 0; });
     ordered_json result;
     result["valid_fraction"] = static_cast<double>(valid.size()) / static_cast<double>(depth.size());
-    const auto middle = valid.begin() + static_cast<std::ptrdiff_t>(valid.size() / 2);
-    std::ranges::nth_element(valid, middle);
-    result["median"] = *middle;
-    const auto [least, most] = std::ranges::minmax(valid);
-    result["min"] = least;
-    result["max"] = most;
+    result["median"] = core::median(valid);
+    const auto [min, max] = std::ranges::minmax(valid);
+    result["min"] = min;
+    result["max"] = max;
     return result;
 }
 
-/// How the back of every segment was made, by label; segments without depth have none.
+/// Back-side method, penalty and thickness by label; segments without depth are left out.
 std::map<std::uint16_t, ordered_json> describeBackSides(const core::Scene& scene, const core::Analysis& analysis) {
     const core::LabelImage& labels = scene.photo->labels;
     std::map<std::uint16_t, std::vector<float>> thickness;
@@ -47,19 +46,17 @@ std::map<std::uint16_t, ordered_json> describeBackSides(const core::Scene& scene
     for (const core::BackSideInfo& info : analysis.backSides) {
         std::vector<float>& values = thickness[info.label];
         if (values.empty()) continue;
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-        std::ranges::nth_element(values, middle);
         ordered_json& entry = result[info.label];
-        entry["method"] = core::backSideMethodKey(info.used);
+        entry["method"] = core::wordOf(info.used);
         entry["penalty"] = info.mirrorError;
-        entry["thickness"] = *middle;
+        entry["thickness"] = core::median(values);
         entry["on_support"] = info.onSupport;
         if (!info.note.empty()) entry["note"] = info.note.english();
     }
     return result;
 }
 
-/// `analysis`: nullptr = nothing is said of back sides.
+/// Back sides are described only with an `analysis`.
 ordered_json describe(const core::Scene& scene, const std::string& project, const core::Analysis* analysis) {
     const core::Photo& photo = *scene.photo;
     const core::Camera& camera = photo.camera;
@@ -75,7 +72,7 @@ ordered_json describe(const core::Scene& scene, const std::string& project, cons
     result["intrinsics"] = {{"fx", camera.fx}, {"fy", camera.fy}, {"cx", camera.cx}, {"cy", camera.cy}};
     result["hfov_degrees"] = 360 / std::numbers::pi * std::atan(0.5 * camera.width / static_cast<double>(camera.fx));
     result["depth"] = describeDepth(photo.depth);
-    result["depth"]["kind"] = core::depthKindKey(photo.source.depthKind);
+    result["depth"]["kind"] = core::wordOf(photo.source.depthKind);
     result["depth"]["unit"] = photo.source.depthUnit;
     if (photo.source.depth.empty())
         if (const core::ImportFormat* format = core::findImportFormat(core::ImportFile(photo.source.color)))

@@ -14,6 +14,7 @@
 #include "core/analysis/analysis.h"
 #include "core/analysis/step_context.h"
 #include "core/geometry/depth_layers.h"
+#include "core/scene/changes.h"
 #include "core/scene/scene.h"
 
 namespace core::analysis {
@@ -51,6 +52,10 @@ class Hash {
     }
     std::uint64_t state_ = 0x51ED270B0A1F3C49ull;
 };
+
+/// Adds the parameters whose first stage is `stage` (core/scene/params.h): those of the scene, or of one segment.
+Hash& addParams(Hash& hash, Stage stage, const Scene& scene);
+Hash& addParams(Hash& hash, Stage stage, const Segment& segment);
 
 /// What steps exchange. The first row comes with the scene, the second is computed.
 enum class Item {

@@ -5,7 +5,7 @@
 
 namespace core {
 
-/// Pin-hole camera, and the conventions of the whole program:
+/// Pinhole camera. Conventions of the whole program:
 /// camera frame x right, y down, z forward (right-handed), metres; depth is planar z; pixel (i, j) has its centre at
 /// (i+0.5, j+0.5), origin top-left; directions are unit length and point away from the surface; radiance is linear
 /// Rec.709.

@@ -14,8 +14,8 @@ struct DirectionalMap {
     ImageRgb radiance;
     /// Observations per texel; 0 = filled by interpolation. Same size as `radiance`.
     ImageF coverage;
-    /// Bit c: the camera clipped every observation of channel c; its radiance is at least what was seen, the rest is
-    /// estimated from the pixels around. Empty = nothing clipped.
+    /// Bit c: the camera clipped every observation of channel c, so its radiance is at least the observed one; the
+    /// excess is estimated from surrounding pixels. Empty = nothing clipped.
     Image<std::uint8_t> clipped = {};
 
     [[nodiscard]] bool empty() const { return radiance.empty(); }
@@ -28,10 +28,10 @@ struct DirectionalMap {
     [[nodiscard]] static float texelSolidAngle(int y, int width, int height);
     /// Bilinear look-up, wrapping in U, clamped in V.
     [[nodiscard]] Vector3f lookup(const Vector3f& d) const;
-    /// The same at continuous texel coordinates, of any U.
+    /// Same as `lookup`, at continuous texel coordinates; U may exceed the map.
     [[nodiscard]] Vector3f lookupTexel(const Vector2f& texel) const;
     /// Solid-angle weighted mean radiance; with `minCoverage` > 0 only over texels with at least that coverage
-    /// (zero when there is none).
+    /// (zero when none has it).
     [[nodiscard]] Vector3f mean(float minCoverage = 0) const;
 };
 

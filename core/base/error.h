@@ -10,7 +10,7 @@ namespace core {
 
 /// Kind of failure, for callers that act on it; the command line derives its exit codes from it.
 enum class ErrorKind {
-    Usage,      ///< the request itself is wrong (exit code 2)
+    Usage,      ///< the request is wrong (exit code 2)
     Input,      ///< a file or value from outside cannot be used (exit code 3)
     Output,     ///< a result could not be written (exit code 5)
     Cancelled,  ///< the user stopped it; no result, nothing changed

@@ -25,7 +25,7 @@ namespace {
 
 std::string systemReason(int code) { return std::generic_category().message(code); }
 
-/// Opens for a final fsync; also proves that the file is there.
+/// Opens for a final fsync, which also checks that the file exists.
 void flushToDisk(const std::string& path, const std::string& named) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) failWriting(named, systemReason(errno));
@@ -56,9 +56,10 @@ AtomicFile::AtomicFile(const std::string& target) : named_(target) {
             target,
             Message("messages", "the folder \"%1\" is not writable (%2)").with(folder.string(), systemReason(errno)));
     target_ = resolved.string();
-    temporary_ = (folder / ("." + resolved.stem().string() + "." + std::to_string(::getpid()) + "-" +
-                            std::to_string(++counter) + ".part" + resolved.extension().string()))
-                     .string();
+    const std::string unique = std::to_string(::getpid()) + "-" + std::to_string(++counter);
+    std::string hidden(1, '.');
+    hidden += resolved.stem().string() + "." + unique + ".part" + resolved.extension().string();
+    temporary_ = (folder / hidden).string();
 }
 
 AtomicFile::~AtomicFile() {

@@ -14,7 +14,7 @@ namespace core {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-/// What pixels start as: zero, also for Eigen types, whose default constructor leaves them uninitialised.
+/// Initial value of pixels: zero, also for Eigen types, whose default constructor leaves them uninitialised.
 template <class T>
 [[nodiscard]] T zeroPixel() {
     if constexpr (requires { T::Zero(); })

@@ -15,9 +15,9 @@
 
 namespace core {
 
-/// Calls `body(i)` for every i in [0, count) on all cores, in no order. Reports progress and throws Error(Cancelled),
-/// or what the body threw, once all running bodies have returned. A body is about a row of pixels: long enough to be
-/// worth a checkpoint, short enough for a prompt stop.
+/// Calls `body(i)` for every i in [0, count) on all cores, in no particular order. Reports progress. Throws
+/// Error(Cancelled), or what a body threw, once all running bodies have returned. A body should take about as long as a
+/// row of pixels: long enough to be worth a checkpoint, short enough to stop promptly.
 template <class Body>
 void parallelFor(const Progress& progress, int count, const Body& body) {
     std::atomic<int> done{0};
@@ -30,8 +30,8 @@ void parallelFor(const Progress& progress, int count, const Body& body) {
     });
 }
 
-/// Runs `work`, which owns all that it uses, on a thread of its own. What it returns or throws comes with the future;
-/// unlike that of std::async, dropping the future does not wait.
+/// Runs `work`, which must own everything it uses, on a thread of its own. The future holds its result or exception;
+/// unlike with std::async, dropping the future does not wait.
 template <class Work>
 [[nodiscard]] auto inBackground(Work work) {
     using Result = std::invoke_result_t<Work&>;

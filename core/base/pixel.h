@@ -23,9 +23,16 @@ struct PixelBox {
         x1 = std::max(x1, p.x);
         y1 = std::max(y1, p.y);
     }
+    void unite(const PixelBox& other) {
+        x0 = std::min(x0, other.x0);
+        y0 = std::min(y0, other.y0);
+        x1 = std::max(x1, other.x1);
+        y1 = std::max(y1, other.y1);
+    }
     [[nodiscard]] bool empty() const { return x1 < x0 || y1 < y0; }
     [[nodiscard]] int width() const { return x1 - x0 + 1; }
     [[nodiscard]] int height() const { return y1 - y0 + 1; }
+    bool operator==(const PixelBox&) const = default;
 };
 
 }  // namespace core

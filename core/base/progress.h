@@ -10,7 +10,7 @@
 
 namespace core {
 
-/// What long work is doing. An identity, not a text: ui/words.h and app/cli/words.h name it for people.
+/// Kind of long work. An identity, not a text: ui/words.h and app/cli/words.h hold its names for people.
 enum class Task {
     Working,
     LoadPhoto,
@@ -27,20 +27,20 @@ enum class Task {
     Benchmark,
 };
 
-/// How long work talks to whoever started it: progress out, cancellation in. A value, cheap to copy: a part of the work
-/// gets a part of the progress. Every long loop calls `checkpoint` at least every few milliseconds. Thread-safe.
+/// Connects long work with its caller: progress out, cancellation in. Cheap to copy; each part of the work gets a part
+/// of the progress. Every long loop calls `checkpoint` at least every few milliseconds. Thread-safe.
 class Progress {
   public:
     /// Receives the current task and its progress in [0, 1]; called from any thread.
     using Report = std::function<void(Task, float)>;
 
-    /// Reports to nobody and cannot be cancelled.
+    /// Reports nothing and cannot be cancelled.
     Progress() = default;
     /// `cancel` must outlive the work; nullptr = cannot be cancelled.
     explicit Progress(Report report, const std::atomic<bool>* cancel = nullptr)
         : report_(report ? std::make_shared<const Report>(std::move(report)) : nullptr), cancel_(cancel) {}
 
-    /// The progress of a task by itself, from 0 to 1.
+    /// Progress of one task by itself, from 0 to 1.
     [[nodiscard]] Progress of(Task task) const {
         Progress result = *this;
         result.task_ = task;
@@ -48,7 +48,7 @@ class Progress {
         result.to_ = 1;
         return result;
     }
-    /// The part [from, to] of this progress, as a progress from 0 to 1 of its own.
+    /// The part [from, to] of this progress, itself running from 0 to 1.
     [[nodiscard]] Progress part(float from, float to) const {
         Progress result = *this;
         result.from_ = from_ + from * (to_ - from_);

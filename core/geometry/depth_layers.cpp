@@ -9,10 +9,10 @@
 namespace core {
 namespace {
 
-/// A slope as far as the differences to the neighbours on either side bear it out. A patch that rises above the middle
-/// of its neighbour stands over it like a saw's tooth, and rays that start beside it are caught. Van Leer's limiter:
-/// none at a ridge or in a valley, else up to twice the smaller difference, which is also the one that crosses no
-/// discontinuity. `floor`: what is allowed where no neighbour says anything.
+/// Limits a slope by the differences to the neighbours on either side (van Leer's limiter): 0 at ridges and in valleys,
+/// otherwise at most twice the smaller difference, which is also the one that crosses no discontinuity. A steeper patch
+/// would stand above its neighbour like a saw tooth and catch rays that start beside it. `floor` is the limit without
+/// neighbours.
 float limitedSlope(float slope, std::optional<float> left, std::optional<float> right, float floor) {
     if (left && right) {
         if (*left * *right <= 0) return 0;
@@ -50,7 +50,7 @@ struct LayerBuilder {
         return result;
     }
 
-    /// Flattens a patch that would reach w ≤ 0, infinity, inside its pixel.
+    /// Flattens a patch that would reach w ≤ 0 (infinity) inside its pixel.
     static void keepPositive(DepthLayers::Patch& patch) {
         const float drop = 0.5f * (std::abs(patch.gu) + std::abs(patch.gv));
         const float allowed = 0.9f * patch.w;
@@ -80,7 +80,7 @@ DepthLayers buildDepthLayers(const Camera& camera, const LabelImage& labels, con
             DepthLayers::Patch far = builder.patch(back, x, y);
             if (far.w <= 0) far = near;
             far.w = std::min(far.w, near.w);
-            // Both planes are linear, so they do not cross inside the pixel when they do not at its corners.
+            // Planes that do not cross at the corners of the pixel do not cross inside it.
             const float gap = near.w - far.w;
             const float tilt = 0.5f * (std::abs(near.gu - far.gu) + std::abs(near.gv - far.gv));
             if (tilt > gap) {
@@ -95,7 +95,7 @@ DepthLayers buildDepthLayers(const Camera& camera, const LabelImage& labels, con
             }
             layers.front(x, y) = near;
             layers.back(x, y) = far;
-            // The float sums of the march may round a corner outwards.
+            // The marching kernel may round a corner outwards.
             const float above = near.w + 0.5f * (std::abs(near.gu) + std::abs(near.gv));
             const float below = far.w - 0.5f * (std::abs(far.gu) + std::abs(far.gv));
             layers.maxW = std::max(layers.maxW, above * (1 + 1e-5f));

@@ -15,8 +15,8 @@ struct Linear {
     double value, slope;
     [[nodiscard]] double at(double s) const { return value + slope * s; }
 
-    /// Cuts [a, b] to where this is ≥ 0, given that only s in [s0, s1] matters; a > b when it is nowhere. True when
-    /// that moved the beginning.
+    /// Cuts [a, b] to where this is ≥ 0, considering s in [s0, s1] only; a > b when nothing is left. True when the
+    /// beginning moved.
     bool clip(double s0, double s1, double& a, double& b) const {
         const double first = at(s0);
         if (slope >= 0 && first >= 0) return false;
@@ -38,6 +38,8 @@ struct Linear {
         return true;
     }
 };
+
+}  // namespace
 
 /// A ray as a straight line over the image: (u, v, w)(s) = start + slope·s for s in [begin, end]; depth_layers.h.
 struct ImageRay {
@@ -89,11 +91,13 @@ struct ImageRay {
     }
 };
 
-/// What one pixel does to the part [s0, s1] of a ray over it.
+/// Outcome of one pixel for the part [s0, s1] of a ray over it.
 struct Crossing {
     std::optional<MarchHit> hit;
     bool leavesInside = false;  ///< an escaping ray is still inside the solid where it leaves the pixel
 };
+
+namespace {
 
 Crossing crossPixel(const DepthLayers& layers, const ImageRay& ray, int x, int y, double s0, double s1, bool escaping) {
     const DepthLayers::Patch& front = layers.front(x, y);
@@ -101,7 +105,7 @@ Crossing crossPixel(const DepthLayers& layers, const ImageRay& ray, int x, int y
     const DepthLayers::Patch& back = layers.back(x, y);
     const double du = ray.u0 - (x + 0.5);
     const double dv = ray.v0 - (y + 0.5);
-    // Room below the front and above the back plane: linear in s, the solid is where both are ≥ 0.
+    // Distances below the front and above the back plane: linear in s, both ≥ 0 inside the solid.
     const Linear room{front.w + front.gu * du + front.gv * dv - ray.w0,
                       front.gu * ray.slopeU + front.gv * ray.slopeV - ray.slopeW};
     const Linear depth{ray.w0 - (back.w + back.gu * du + back.gv * dv),
@@ -157,7 +161,7 @@ MarchPyramid::MarchPyramid(const DepthLayers& layers, std::uint16_t without) : l
             const DepthLayers::Patch& near = front(x, y);
             if (!(near.w > 0) || (without != 0 && layers.labels(x, y) == without)) continue;
             const DepthLayers::Patch& far = layers.back(x, y);
-            // Sums of floats may round a corner inwards.
+            // Float sums may round a corner inwards.
             const float above = (near.w + 0.5f * (std::abs(near.gu) + std::abs(near.gv))) * (1 + 1e-5f);
             const float below = (far.w - 0.5f * (std::abs(far.gu) + std::abs(far.gv))) * (1 - 1e-5f);
             extend(levels_[0](x / 2, y / 2), {std::min(below, far.w), above});
@@ -170,6 +174,18 @@ MarchPyramid::MarchPyramid(const DepthLayers& layers, std::uint16_t without) : l
             for (int x = 0; x < fine.width(); ++x) extend(coarse(x / 2, y / 2), fine(x, y));
         levels_.push_back(std::move(coarse));
     }
+}
+
+bool MarchPyramid::mayTouch(const ImageRay& ray, int level, int x, int y, double s0, double s1) const {
+    const Range& range = levels_[static_cast<std::size_t>(level) - 1](x, y);
+    const double w0 = ray.w0 + ray.slopeW * s0;
+    const double w1 = ray.slopeW != 0 ? ray.w0 + ray.slopeW * s1 : ray.w0;
+    return std::max(w0, w1) >= range.low && std::min(w0, w1) <= range.high;
+}
+
+Crossing MarchPyramid::cross(const ImageRay& ray, int x, int y, double s0, double s1, bool escaping) const {
+    if (without_ != 0 && layers_.labels(x, y) == without_) return {};
+    return crossPixel(layers_, ray, x, y, s0, s1, escaping);
 }
 
 std::optional<MarchHit> MarchPyramid::march(const Vector3f& origin, const Vector3f& direction) const {
@@ -188,24 +204,18 @@ std::optional<MarchHit> MarchPyramid::march(const Vector3f& origin, const Vector
         const double nextU = ray.leavesColumn(x, 1 << level);
         const double nextV = ray.leavesRow(y, 1 << level);
         const double s1 = std::max(s0, std::min({nextU, nextV, ray.end}));
-        if (level > 0) {
-            const Range& range = levels_[static_cast<std::size_t>(level) - 1](x, y);
-            const double w0 = ray.w0 + ray.slopeW * s0;
-            const double w1 = ray.slopeW != 0 ? ray.w0 + ray.slopeW * s1 : ray.w0;
-            if (std::max(w0, w1) >= range.low && std::min(w0, w1) <= range.high) {
-                --level;
-                const int lastX = std::min(2 * x + 1, (width - 1) >> level);
-                const int lastY = std::min(2 * y + 1, (height - 1) >> level);
-                x = std::clamp(ray.pixelX(s0) >> level, 2 * x, lastX);
-                y = std::clamp(ray.pixelY(s0) >> level, 2 * y, lastY);
-                continue;
-            }
-        } else if (without_ == 0 || layers_.labels(x, y) != without_) {
-            const Crossing crossing = crossPixel(layers_, ray, x, y, s0, s1, escaping);
+        if (level > 0 && mayTouch(ray, level, x, y, s0, s1)) {
+            --level;
+            const int lastX = std::min(2 * x + 1, (width - 1) >> level);
+            const int lastY = std::min(2 * y + 1, (height - 1) >> level);
+            x = std::clamp(ray.pixelX(s0) >> level, 2 * x, lastX);
+            y = std::clamp(ray.pixelY(s0) >> level, 2 * y, lastY);
+            continue;
+        }
+        if (level == 0) {
+            const Crossing crossing = cross(ray, x, y, s0, s1, escaping);
             if (crossing.hit) return crossing.hit;
             escaping = escaping && crossing.leavesInside;
-        } else {
-            escaping = false;
         }
         if (s1 >= ray.end || s1 == kInfinity) return std::nullopt;
         const int oldX = x;

@@ -16,9 +16,8 @@ namespace {
 
 constexpr float kMaxFactor = 100;
 constexpr float kMaxStrength = 100;
-const std::vector<std::string> kSources{"mask", "luminance"};
 
-/// A scalar's value; of a colour, [r, g, b] or a factor on the material's own.
+/// Value of a scalar; for a colour, [r, g, b] or a factor on the material's own.
 std::optional<DriveEnd> readEnd(JsonReader& reader, const char* key, const DriveParameter& parameter) {
     const json* value = reader.find(key);
     if (value == nullptr) return std::nullopt;
@@ -41,7 +40,7 @@ std::optional<DriveEnd> readEnd(JsonReader& reader, const char* key, const Drive
     return end;
 }
 
-/// Files know factors of colours only.
+/// Writes factors as such for colours only; scalars are multiplied out.
 json writeEnd(const DriveEnd& end, const DriveParameter& parameter, const Material& material) {
     if (parameter.color) return end.factor ? json(toJson(end.value.x())) : toJson(end.value);
     const float own = ownValue(material, parameter, Vector3f::Ones()).x();
@@ -58,7 +57,7 @@ Drive readDrive(const json& value, const std::string& place, ErrorKind kind, Mas
     const DriveParameter& parameter = parameters[*reader.readChoice("parameter", keys)];
     Drive drive;
     drive.parameter = parameter.key;
-    if (const auto source = reader.readChoice("source", kSources)) drive.source = static_cast<DriveSource>(*source);
+    reader.readWord("source", drive.source);
     if (drive.source == DriveSource::Mask) {
         reader.require("mask");
         std::string path;
@@ -83,7 +82,7 @@ Drive readDrive(const json& value, const std::string& place, ErrorKind kind, Mas
 }  // namespace
 
 void readDrives(const json& list, const std::string& place, ErrorKind kind, MaskLoader& masks, Material& material) {
-    if (!list.is_array()) throw Error(kind, Message("messages", "\"%1\" is no list [...].").with(place));
+    if (!list.is_array()) throw Error(kind, Message("messages", "\"%1\" is not a list [...].").with(place));
     const std::vector<DriveParameter> parameters = driveParameters(material);
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string at = place + "[" + std::to_string(i) + "]";
@@ -103,7 +102,7 @@ ordered_json writeDrives(const Material& material, const std::function<std::stri
         if (parameter == parameters.end()) continue;
         ordered_json entry;
         entry["parameter"] = drive.parameter;
-        entry["source"] = kSources[static_cast<std::size_t>(drive.source)];
+        entry["source"] = wordOf(drive.source);
         const bool mask = drive.source == DriveSource::Mask;
         if (mask && drive.mask != nullptr) entry["mask"] = filePath ? filePath(drive.mask->path()) : drive.mask->path();
         if (drive.from) entry["from"] = writeEnd(*drive.from, *parameter, material);

@@ -14,7 +14,7 @@ namespace core {
 /// The "drives" of a material, whose other keys have been read; `place` is where the list stands. Loads the masks.
 void readDrives(const nlohmann::json& list, const std::string& place, ErrorKind kind, MaskLoader& masks,
                 Material& material);
-/// `filePath`: how a path is written.
+/// `filePath` turns the path of a file into what is written; empty = unchanged.
 [[nodiscard]] nlohmann::ordered_json writeDrives(const Material& material,
                                                  const std::function<std::string(const std::string&)>& filePath);
 

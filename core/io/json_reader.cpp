@@ -60,7 +60,7 @@ const json* JsonReader::find(const char* key) {
 double JsonReader::number(const std::string& key, const json& value, double min, double max) const {
     if (!value.is_number()) fail(key, rangeText(min, max), value);
     const auto result = value.get<double>();
-    // 0.3 in the file is inside a range that ends at 0.3f
+    // 0.3 in the file is inside a range that ends at 0.3f.
     const bool inside = (result >= min && result <= max) || (static_cast<float>(result) >= static_cast<float>(min) &&
                                                              static_cast<float>(result) <= static_cast<float>(max));
     if (!inside) fail(key, rangeText(min, max), value);
@@ -92,23 +92,19 @@ void JsonReader::read(const char* key, double& target, double min, double max) {
 }
 
 void JsonReader::read(const char* key, int& target, int min, int max) {
+    std::int64_t value = target;
+    read(key, value, std::int64_t{min}, std::int64_t{max});
+    target = static_cast<int>(value);
+}
+
+void JsonReader::read(const char* key, std::int64_t& target, std::int64_t min, std::int64_t max) {
     const json* value = find(key);
     if (value == nullptr) return;
     const Message expected = Message("messages", "a whole number from %1 to %2").with(min, max);
     if (!value->is_number_integer()) fail(key, expected, *value);
     const bool tooLarge = value->is_number_unsigned() && value->get<std::uint64_t>() > static_cast<std::uint64_t>(max);
     if (tooLarge || value->get<std::int64_t>() < min || value->get<std::int64_t>() > max) fail(key, expected, *value);
-    target = value->get<int>();
-}
-
-void JsonReader::read(const char* key, std::uint32_t& target) {
-    const json* value = find(key);
-    if (value == nullptr) return;
-    if (!value->is_number_unsigned() || value->get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
-        fail(key,
-             Message("messages", "a whole number from %1 to %2").with(0, std::numeric_limits<std::uint32_t>::max()),
-             *value);
-    target = value->get<std::uint32_t>();
+    target = value->get<std::int64_t>();
 }
 
 void JsonReader::read(const char* key, Vector3f& target, float min, float max) {

@@ -10,15 +10,16 @@
 
 #include "core/base/error.h"
 #include "core/base/image.h"
+#include "core/base/words.h"
 
 namespace core {
 
-/// Strict reading of one JSON object: every key is asked for with its type and range, and `finish` refuses the keys
-/// that nobody asked for. Errors name the key with its place ("segments[2].edit.alpha"), what was expected and what was
+/// Strict reading of one JSON object: every key is read with its type and range, and `finish` refuses the keys that
+/// were never read. Errors name the key with its place ("segments[2].edit.alpha"), what was expected and what was
 /// found. The object has to outlive the reader.
 class JsonReader {
   public:
-    /// `place` is the object's own key, "" for the document. Throws when `value` is no object.
+    /// `place` is the object's own key, "" for the document. Throws when `value` is not an object.
     JsonReader(const nlohmann::json& value, std::string place, ErrorKind kind);
 
     [[nodiscard]] bool has(const char* key) const { return object_->contains(key); }
@@ -26,23 +27,28 @@ class JsonReader {
     [[nodiscard]] const nlohmann::json* find(const char* key);
     [[nodiscard]] std::string place(const std::string& key) const;
 
-    // Each reads an optional key into `target` and leaves it as it is when the key is absent.
+    // Each reads an optional key into `target`, which stays as it is when the key is absent.
     void read(const char* key, bool& target);
     void read(const char* key, std::string& target);
     void read(const char* key, float& target, float min, float max);
     void read(const char* key, double& target, double min, double max);
     void read(const char* key, int& target, int min, int max);
-    void read(const char* key, std::uint32_t& target);
+    void read(const char* key, std::int64_t& target, std::int64_t min, std::int64_t max);
     /// Three numbers, each in [min, max].
     void read(const char* key, Vector3f& target, float min, float max);
     /// Three numbers or one for all three.
     void readColorOrNumber(const char* key, Vector3f& target, float min, float max);
-    /// One of a list of words; returns its index.
+    /// Index of one of a list of words.
     [[nodiscard]] std::optional<std::size_t> readChoice(const char* key, const std::vector<std::string>& words);
+    /// One of the words of an enumeration.
+    template <class E>
+    void readWord(const char* key, E& target) {
+        if (const auto row = readChoice(key, wordsOf<E>())) target = Words<E>::table[*row].value;
+    }
 
     /// Throws when a key is missing.
     void require(const char* key) const;
-    /// Throws when a key was never asked for; `hint` is a sentence that ends the message.
+    /// Throws when a key was never read; `hint` is a sentence that ends the message.
     void finish(const Message& hint = {}) const;
 
     [[noreturn]] void fail(const std::string& key, const Message& expected, const nlohmann::json& found) const;

@@ -10,12 +10,12 @@
 
 namespace core {
 
-/// An image file as a mask: stored values of its first channel (Y where there is one), integers over their greatest
-/// value, undecoded; clamped to [0, 1]. Throws Error(Input) naming the file when it cannot be read or a value is not
+/// An image file as a mask: the stored values of its first channel (Y where there is one), undecoded, integers divided
+/// by their maximum; clamped to [0, 1]. Throws Error(Input) naming the file when it cannot be read or a value is not
 /// finite.
 [[nodiscard]] std::shared_ptr<const Mask> loadMask(const std::string& path);
 
-/// Loads each file once, so that drives that name the same one share it.
+/// Loads each file once, so that drives of the same file share its mask.
 class MaskLoader {
   public:
     /// Relative paths start at `folder`; "" = the current one.
@@ -27,8 +27,8 @@ class MaskLoader {
     std::map<std::string, std::shared_ptr<const Mask>> masks_;
 };
 
-/// The scene with every mask in a file: those without one are written beside the project, 16-bit PNG in the folder
-/// NAME.masks, called by segment, parameter and content, so that a file once written never changes. Throws
+/// The scene with every mask in a file. Masks without one are written beside the project, as 16-bit PNG in the folder
+/// NAME.masks, named after segment, parameter and content, so that a file once written never changes. Throws
 /// Error(Output).
 [[nodiscard]] Scene withSavedMasks(const Scene& scene, const std::string& project);
 

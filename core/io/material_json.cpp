@@ -7,7 +7,7 @@
 
 #include "core/io/drive_json.h"
 #include "core/io/json_reader.h"
-#include "core/io/project.h"
+#include "core/io/param_json.h"
 #include "core/material/brdf.h"
 #include "core/material/brdf_file.h"
 #include "core/material/material_ranges.h"
@@ -25,8 +25,6 @@ constexpr float kMaxCoefficient = 1e5f;  // [1/mm]
 constexpr float kMaxFreePath = 1e5f;     // [mm]
 constexpr float kMinFreePath = 1e-4f;    // [mm]
 
-const std::vector<std::string> kScatteringModels{"dipole", "better_dipole"};
-
 std::vector<std::string> brdfKeys() {
     std::vector<std::string> keys;
     for (const BrdfInfo& brdf : brdfs()) keys.emplace_back(brdf.key);
@@ -40,17 +38,20 @@ Message parameterHint(const BrdfInfo& brdf) {
     return Message("messages", "The BRDF \"%1\" has the parameters %2.").with(brdf.key, quotedList(names));
 }
 
-Translucency readTranslucency(const json& value, const std::string& place, ErrorKind kind) {
-    JsonReader reader(value, place, kind);
-    Translucency result;
-    float eta = 1.3f;
-    const bool ownEta = reader.has("eta");
-    reader.read("eta", eta, 1.0f, 3.0f);
-    if (const auto model = reader.readChoice("model", kScatteringModels))
-        result.model = static_cast<ScatteringModel>(*model);
-    reader.read("scale", result.scale, 1e-4f, 1e4f);
-    reader.read("weight", result.weight, 0.0f, kMaxWeight);
+const TranslucencyPreset& readPreset(JsonReader& reader) {
+    std::string name;
+    reader.read("preset", name);
+    if (const TranslucencyPreset* found = findTranslucencyPreset(name)) return *found;
+    std::vector<std::string> names;
+    for (const TranslucencyPreset& p : translucencyPresets()) names.emplace_back(p.key);
+    reader.fail(Message("messages", "\"%1\" is \"%2\", expected one of %3.")
+                    .with(reader.place("preset"), name, quotedList(names)));
+}
 
+/// How an object states absorption and scattering.
+enum class Substance { Preset, Coefficients, Diffuse };
+
+Substance findSubstance(JsonReader& reader, const std::string& place) {
     const bool preset = reader.has("preset");
     const bool coefficients = reader.has("sigma_a") || reader.has("sigma_s_prime");
     const bool diffuse = reader.has("diffuse_color") || reader.has("mean_free_path_mm");
@@ -59,42 +60,43 @@ Translucency readTranslucency(const json& value, const std::string& place, Error
                             "\"%1\" needs exactly one of: \"preset\"; \"sigma_a\" with \"sigma_s_prime\"; "
                             "\"diffuse_color\" with \"mean_free_path_mm\".")
                         .with(place));
-    std::string name;
-    reader.read("preset", name);
-    Vector3f color(0, 0, 0);
-    Vector3f freePath(1, 1, 1);
-    if (coefficients) {
-        reader.require("sigma_a");
-        reader.require("sigma_s_prime");
-    } else if (diffuse) {
-        reader.require("diffuse_color");
-        reader.require("mean_free_path_mm");
-    }
-    reader.read("sigma_a", result.sigmaA, 0.0f, kMaxCoefficient);
-    reader.read("sigma_s_prime", result.sigmaSPrime, 0.0f, kMaxCoefficient);
-    reader.read("diffuse_color", color, 0.0f, 1.0f);
-    reader.readColorOrNumber("mean_free_path_mm", freePath, kMinFreePath, kMaxFreePath);
-    reader.finish();
+    return preset ? Substance::Preset : coefficients ? Substance::Coefficients : Substance::Diffuse;
+}
 
-    if (preset) {
-        const TranslucencyPreset* found = findTranslucencyPreset(name);
-        if (found == nullptr) {
-            std::vector<std::string> names;
-            for (const TranslucencyPreset& p : translucencyPresets()) names.emplace_back(p.key);
-            reader.fail(Message("messages", "\"%1\" is \"%2\", expected one of %3.")
-                            .with(reader.place("preset"), name, quotedList(names)));
+Translucency readTranslucency(const json& value, const std::string& place, ErrorKind kind) {
+    JsonReader reader(value, place, kind);
+    Translucency result;
+    for (const TranslucencyParam& param : translucencyParams()) readParam(reader, param, result);
+    switch (findSubstance(reader, place)) {
+        case Substance::Preset: {
+            const TranslucencyPreset& preset = readPreset(reader);
+            const Translucency measured = toTranslucency(preset);
+            result.preset = preset.key;
+            result.sigmaA = measured.sigmaA;
+            result.sigmaSPrime = measured.sigmaSPrime;
+            if (!reader.has("eta")) result.eta = measured.eta;
+            break;
         }
-        const Translucency measured = toTranslucency(*found);
-        result.preset = found->key;
-        result.sigmaA = measured.sigmaA;
-        result.sigmaSPrime = measured.sigmaSPrime;
-        if (!ownEta) eta = measured.eta;
-    } else if (diffuse) {
-        const Translucency inverted = translucencyFromDiffuse(color, freePath, eta, result.model);
-        result.sigmaA = inverted.sigmaA;
-        result.sigmaSPrime = inverted.sigmaSPrime;
+        case Substance::Coefficients:
+            reader.require("sigma_a");
+            reader.require("sigma_s_prime");
+            reader.read("sigma_a", result.sigmaA, 0.0f, kMaxCoefficient);
+            reader.read("sigma_s_prime", result.sigmaSPrime, 0.0f, kMaxCoefficient);
+            break;
+        case Substance::Diffuse: {
+            reader.require("diffuse_color");
+            reader.require("mean_free_path_mm");
+            Vector3f color(0, 0, 0);
+            Vector3f freePath(1, 1, 1);
+            reader.read("diffuse_color", color, 0.0f, 1.0f);
+            reader.readColorOrNumber("mean_free_path_mm", freePath, kMinFreePath, kMaxFreePath);
+            const Translucency inverted = translucencyFromDiffuse(color, freePath, result.eta, result.model);
+            result.sigmaA = inverted.sigmaA;
+            result.sigmaSPrime = inverted.sigmaSPrime;
+            break;
+        }
     }
-    result.eta = eta;
+    reader.finish();
     return result;
 }
 
@@ -109,7 +111,7 @@ ordered_json writeTranslucency(const Translucency& t) {
         result["sigma_a"] = toJson(t.sigmaA);
         result["sigma_s_prime"] = toJson(t.sigmaSPrime);
     }
-    if (t.model != ScatteringModel::Dipole) result["model"] = kScatteringModels[static_cast<std::size_t>(t.model)];
+    if (t.model != ScatteringModel::Dipole) result["model"] = wordOf(t.model);
     result["eta"] = toJson(t.eta);
     result["scale"] = toJson(t.scale);
     result["weight"] = toJson(t.weight);
@@ -118,7 +120,7 @@ ordered_json writeTranslucency(const Translucency& t) {
 
 constexpr std::string_view kFilePrefix = "file:";
 
-/// Names in an edit that may be parameters of its BRDF: those that a number or a drive goes with.
+/// Names in an edit that may be parameters of its BRDF, because they have a number or a drive.
 std::vector<std::string> namedParameters(const json& edit) {
     static const std::set<std::string, std::less<>> kOwn{"eta", "k", "albedo", "specular"};
     std::vector<std::string> names;
@@ -137,7 +139,7 @@ std::vector<std::string> namedParameters(const json& edit) {
     return names;
 }
 
-/// The material that "brdf" names, with its initial values.
+/// The material of the BRDF named in the edit, with its initial values.
 Material readBrdf(JsonReader& reader, const json& edit, const std::string& folder, Notes* notes) {
     const json& name = *reader.find("brdf");
     if (!name.is_string() || !name.get<std::string>().starts_with(kFilePrefix))
@@ -186,16 +188,10 @@ Material readMaterial(const json& value, const std::string& place, ErrorKind kin
     }
     for (std::size_t i = 0; i < brdf.params.size(); ++i)
         reader.read(brdf.params[i].key, material.values[i], brdf.params[i].min, brdf.params[i].max);
-    if (reader.readChoice("fresnel", {"none", "schlick", "dielectric", "conductor"}))
-        material.fresnel = *findFresnel(reader.find("fresnel")->get<std::string>());
+    reader.readWord("fresnel", material.fresnel);
     reader.readColorOrNumber("eta", material.eta, kMinIndex, kMaxIndex);
     reader.readColorOrNumber("k", material.k, 0.0f, kMaxIndex);
-    if (const json* blend = reader.find("blend")) {
-        JsonReader weights(*blend, reader.place("blend"), kind);
-        weights.read("new", material.blendNew, 0.0f, kMaxWeight);
-        weights.read("original", material.blendOriginal, 0.0f, kMaxWeight);
-        weights.finish();
-    }
+    readParams(reader, blendParams(), material);
     if (const json* translucency = reader.find("translucency"); translucency != nullptr && !translucency->is_null())
         material.translucency = readTranslucency(*translucency, reader.place("translucency"), kind);
     if (const json* drives = reader.find("drives")) readDrives(*drives, reader.place("drives"), kind, masks, material);
@@ -215,7 +211,7 @@ ordered_json writeMaterial(const Material& material, const std::function<std::st
     result["specular"] = material.specular ? toJson(*material.specular) : json("estimated");
     for (std::size_t i = 0; brdf != nullptr && i < brdf->params.size(); ++i)
         if (material.values[i] != kNoValue) result[brdf->params[i].key] = toJson(material.values[i]);
-    result["fresnel"] = fresnelKey(material.fresnel);
+    result["fresnel"] = wordOf(material.fresnel);
     const Metal* metal = brdf != nullptr && brdf->usesSpecular ? metalOf(material) : nullptr;
     if (metal != nullptr) {
         result["metal"] = metal->key;
@@ -223,7 +219,7 @@ ordered_json writeMaterial(const Material& material, const std::function<std::st
         result["eta"] = toJson(material.eta);
         result["k"] = toJson(material.k);
     }
-    result["blend"] = {{"new", toJson(material.blendNew)}, {"original", toJson(material.blendOriginal)}};
+    writeParams(result, blendParams(), material);
     if (material.translucency) result["translucency"] = writeTranslucency(*material.translucency);
     if (!material.drives.empty()) result["drives"] = writeDrives(material, filePath);
     return result;

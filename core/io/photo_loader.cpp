@@ -8,10 +8,10 @@
 #include <sstream>
 
 #include "core/analysis/depth/upsample_depth.h"
+#include "core/base/statistics.h"
 #include "core/io/image_io.h"
 #include "core/io/import/import_format.h"
 #include "core/io/orientation.h"
-#include "core/io/project.h"
 
 namespace core {
 
@@ -26,9 +26,8 @@ constexpr float kImportEnd = 0.5f;
 constexpr float kEnlargeEnd = 0.9f;
 
 constexpr double kDefaultFovDegrees = 60;
-constexpr double kFilmDiagonal = 43.266615;  // of a 36 mm x 24 mm frame [mm]
-constexpr double kShapeTolerance = 0.02;     // of width / height
-constexpr std::array<const char*, 4> kDepthKinds{"z", "distance", "disparity", "inverse"};
+constexpr double kFilmDiagonal = 43.266615;  ///< diagonal [mm] of a 36 mm x 24 mm frame
+constexpr double kShapeTolerance = 0.02;     ///< relative difference of width / height
 
 void note(Notes* notes, Message sentence) {
     if (notes != nullptr) notes->push_back(std::move(sentence));
@@ -36,7 +35,7 @@ void note(Notes* notes, Message sentence) {
 
 std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
-/// Same shape within the tolerance, and not larger: what can be enlarged to the photograph.
+/// True if a map can be enlarged to the photograph: same shape within the tolerance, and not larger.
 bool fits(int width, int height, const Camera& camera) {
     const double ratio = static_cast<double>(width) * camera.height / (static_cast<double>(height) * camera.width);
     return std::abs(ratio - 1) <= kShapeTolerance && width <= camera.width && height <= camera.height;
@@ -56,8 +55,8 @@ Image<T> enlarge(Image<T> image, const Camera& camera) {
     return result;
 }
 
-/// Brings a map to the photograph's raster, still at its own resolution. A map that says nothing about its orientation
-/// but has the shape of the photograph as it is stored is turned with it.
+/// Turns a map to the photograph's orientation, still at its own resolution. A map without an orientation tag is turned
+/// when it has the shape of the photograph as stored.
 template <class T>
 Image<T> matchOrientation(Image<T> map, const std::string& path, const Message& what, const Camera& camera,
                           int mapOrientation, int colorOrientation, const Message& colorPath) {
@@ -90,7 +89,7 @@ std::string intrinsicsText(const Camera& camera) {
     return text.str();
 }
 
-/// `stated`: what the file of the photograph says.
+/// The requested camera, or the `stated` one of the photograph's file, or one from its focal length.
 Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, const std::optional<Camera>& stated,
                     Notes* notes) {
     const int w = info.width;
@@ -171,7 +170,7 @@ ImageF planarDepthInside(const Camera& camera, const ImageF& stored, DepthKind k
     return planarDepth(stored, kind, unit, own);
 }
 
-/// To the photograph's raster, with its outlines.
+/// Enlarges the depth to the photograph, along its outlines.
 void enlargeDepth(Photo& photo, const std::string& path, Notes* notes, const Progress& progress) {
     const int width = photo.depth.width();
     const int height = photo.depth.height();
@@ -184,22 +183,21 @@ void enlargeDepth(Photo& photo, const std::string& path, Notes* notes, const Pro
                                 static_cast<float>(camera.height) / static_cast<float>(height)});
 }
 
-/// A wrong unit shows in the median: no photograph is of things nearer or farther than this.
+/// A wrong unit shows in the median depth, which lies outside the range of any photograph.
 void noteImplausibleDepth(const ImageF& depth, const std::string& path, double unit, Notes* notes) {
-    constexpr float kNearest = 0.05f;
-    constexpr float kFarthest = 1000;
+    constexpr float kMinMedian = 0.05f;
+    constexpr float kMaxMedian = 1000;
     std::vector<float> valid;
     for (const float z : depth.pixels())
         if (z > 0) valid.push_back(z);
-    const auto middle = valid.begin() + static_cast<std::ptrdiff_t>(valid.size() / 2);
-    std::ranges::nth_element(valid, middle);
-    if (*middle >= kNearest && *middle <= kFarthest) return;
+    const float middle = median(valid);
+    if (middle >= kMinMedian && middle <= kMaxMedian) return;
     note(notes,
          Message("messages",
-                 "The median depth in \"%1\" is %2 m with a unit of %3 m, expected %4 to %5 m: the unit is "
-                 "probably wrong. Give the metres per stored unit, 0.001 for millimetres and 1 for metres, or the "
-                 "right kind of depth.")
-             .with(path, *middle, unit, kNearest, kFarthest)
+                 "The median depth in \"%1\" is %2 m with a unit of %3 m, expected %4 to %5 m: the unit is probably "
+                 "wrong. Give the metres per stored unit (0.001 for millimetres, 1 for metres), or the right kind of "
+                 "depth.")
+             .with(path, middle, unit, kMinMedian, kMaxMedian)
              .about(Setting::DepthUnitOrKind));
 }
 
@@ -218,7 +216,7 @@ ImageInfo importedInfo(const ImportedPhoto& photo) {
     return info;
 }
 
-/// The photograph when it is in a file with depth, or in one that only an import format reads.
+/// Photograph of a file that carries depth or that only an import format reads.
 std::optional<ImportedPhoto> importPhoto(const PhotoSource& source) {
     if (!source.depth.empty() && isImageFile(source.color)) return std::nullopt;
     const ImportFile file(source.color);
@@ -234,8 +232,8 @@ std::optional<ImportedPhoto> importPhoto(const PhotoSource& source) {
                                       .with(path, listed(known)));
 }
 
-/// Takes the depth from pixels that surfaces cover only in part (antialiased, moving or out of focus ones): it is a
-/// mixture or of one sample. Where most of the picture is not opaque, alpha is no coverage, and all depth stays.
+/// Removes the depth of pixels that surfaces cover only in part (antialiased, moving or out of focus), because it is a
+/// mixture or that of one sample. Where most of the picture is not opaque, alpha is not coverage, and all depth stays.
 ImageF withoutMixedDepth(ImageF depth, const ImageF& coverage) {
     constexpr float kOpaque = 0.99f;
     if (!coverage.sameSize(depth)) return depth;
@@ -251,7 +249,7 @@ ImageF withoutMixedDepth(ImageF depth, const ImageF& coverage) {
     return depth;
 }
 
-/// Depth from inside the photograph's file; completes `source` by what the file says.
+/// Depth from inside the photograph's file; fills in the kind and unit that the file states.
 ImageF importedDepth(const ImportedPhoto& imported, const PhotoRequest& request, PhotoSource& source,
                      const Camera& camera, Notes* notes) {
     if (imported.kind) {
@@ -259,7 +257,7 @@ ImageF importedDepth(const ImportedPhoto& imported, const PhotoRequest& request,
             throw Error(ErrorKind::Usage,
                         Message("messages",
                                 "The depth kind is \"%1\", but the file says that the depth inside \"%2\" is \"%3\".")
-                            .with(depthKindKey(source.depthKind), source.color, depthKindKey(*imported.kind)));
+                            .with(wordOf(source.depthKind), source.color, wordOf(*imported.kind)));
         source.depthKind = *imported.kind;
     }
     const auto given = requestedUnit(request);
@@ -281,14 +279,6 @@ void requireValidDepth(const ImageF& depth, const std::string& path) {
 }
 
 }  // namespace
-
-const char* depthKindKey(DepthKind kind) { return kDepthKinds[static_cast<std::size_t>(kind)]; }
-
-std::optional<DepthKind> findDepthKind(std::string_view key) {
-    for (std::size_t i = 0; i < kDepthKinds.size(); ++i)
-        if (key == kDepthKinds[i]) return static_cast<DepthKind>(i);
-    return std::nullopt;
-}
 
 ImageF planarDepth(const ImageF& stored, DepthKind kind, double unit, const Camera& camera) {
     ImageF result(stored.width(), stored.height(), 0.0f);
@@ -312,7 +302,7 @@ std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, Notes* notes
     PhotoSource& source = photo->source;
     std::optional<ImportedPhoto> imported = importPhoto(source);
     if (source.depth.empty() && (!imported || imported->depth.empty())) {
-        if (!imported) (void)readImageInfo(source.color);  // says what is wrong with a file that is no picture
+        if (!imported) (void)readImageInfo(source.color);  // reports what is wrong with a file that is not a picture
         refuseWithoutDepth(source.color);
     }
     const ImageInfo info = imported ? importedInfo(*imported) : readImageInfo(source.color);

@@ -12,10 +12,10 @@
 
 namespace core {
 
-/// What is known about a photograph before its files are read; from the command line or a project file.
+/// What the command line or a project file says about a photograph before its files are read.
 struct PhotoRequest {
     PhotoSource source;                ///< paths as they can be opened; `depthUnit` is ignored
-    std::optional<double> depthUnit;   ///< nullopt = by the file's format, as in CreateOptions
+    std::optional<double> depthUnit;   ///< nullopt = by the file's format, as in CreateOptions (project.h)
     std::optional<Camera> intrinsics;  ///< only fx, fy, cx, cy are read
     std::optional<float> hfov;         ///< [rad]
 };
@@ -24,5 +24,18 @@ struct PhotoRequest {
 /// given or intrinsics that cannot be.
 [[nodiscard]] std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, Notes* notes,
                                                      const Progress& progress = {});
+
+/// Stored depth values to planar z [m]; 0 where there is none: not finite, ≤ 0, or beyond kMaxDepth. `camera` has the
+/// stored image's size. Kinds: see DepthKind; `unit` in metres.
+[[nodiscard]] ImageF planarDepth(const ImageF& stored, DepthKind kind, double unit, const Camera& camera);
+/// Larger values [m] are not measurements: renderers write 1e10 for the sky.
+inline constexpr float kMaxDepth = 10000.0f;
+
+/// An environment for EnvironmentParams::image; latitude-longitude, width = 2·height. Throws Error(Input).
+[[nodiscard]] std::shared_ptr<const ImageRgb> loadEnvironment(const std::string& path);
+
+/// Measured back sides for Scene::backDepth: planar z in metres (16-bit integers: millimetres), 0 = none, of the
+/// photograph's size or smaller. Throws Error(Input).
+[[nodiscard]] std::shared_ptr<const ImageF> loadBackDepth(const std::string& path, const Camera& camera);
 
 }  // namespace core

@@ -10,6 +10,7 @@
 #include "core/io/image_io.h"
 #include "core/io/json_reader.h"
 #include "core/io/material_json.h"
+#include "core/io/param_json.h"
 #include "core/io/photo_loader.h"
 #include "core/scene/masks.h"
 
@@ -25,12 +26,6 @@ constexpr int kVersion = 1;
 /// Share of the time to load a project that its photograph takes; masks, BRDFs and maps take the rest.
 constexpr float kPhotoEnd = 0.9f;
 constexpr std::size_t kMaxProjectBytes = std::size_t{64} << 20U;
-const std::vector<std::string> kBackSideMethods{"automatic",  "offset",         "parallel_mirror",
-                                                "pca_mirror", "spanned_mirror", "flat_faces"};
-const std::vector<std::string> kEnvironmentUses{"replace", "complete"};
-const std::vector<std::string> kEnvironmentFills{"shepard", "membrane"};
-const std::vector<std::string> kDiffusionQualities{"draft", "standard", "fine"};
-
 Message knownLabels(const Scene& scene) {
     std::string text;
     for (const Segment& segment : scene.segments) {
@@ -62,8 +57,7 @@ PhotoRequest readPhoto(const json& value, const PathReader& paths) {
     paths.read(reader, "color", request.source.color);
     paths.read(reader, "depth", request.source.depth);
     paths.read(reader, "segments", request.source.segments);
-    if (const auto kind = reader.readChoice("depth_kind", {"z", "distance", "disparity", "inverse"}))
-        request.source.depthKind = static_cast<DepthKind>(*kind);
+    reader.readWord("depth_kind", request.source.depthKind);
     if (reader.has("depth_unit")) {
         double unit = 1;
         reader.read("depth_unit", unit, 1e-12, 1e12);
@@ -95,29 +89,7 @@ Segment readSegment(const json& value, const std::string& place, MaskLoader& mas
     reader.read("name", segment.name);
     if (segment.name.empty())
         reader.fail(Message("messages", "\"%1\" is empty, expected a name.").with(reader.place("name")));
-    reader.read("glossy", segment.glossy);
-    if (const json* backSide = reader.find("back_side")) {
-        JsonReader back(*backSide, reader.place("back_side"), ErrorKind::Input);
-        if (const auto method = back.readChoice("method", kBackSideMethods))
-            segment.backSide.method = static_cast<BackSideMethod>(*method);
-        back.read("offset", segment.backSide.offset, 0.0f, 1000.0f);
-        back.read("plane_shift", segment.backSide.planeShift, -1000.0f, 1000.0f);
-        back.read("thickness_scale", segment.backSide.thicknessScale, 0.0f, 1000.0f);
-        back.read("min_thickness", segment.backSide.minThickness, 0.0f, 1000.0f);
-        back.finish();
-    }
-    if (reader.has("reflectance")) {
-        Vector3f rho(1, 1, 1);
-        reader.read("reflectance", rho, 1e-4f, 100.0f);
-        segment.reflectance = rho;
-    }
-    if (reader.has("lobe_width")) {
-        float alpha = 0;
-        reader.read("lobe_width", alpha, 1e-3f, 1.0f);
-        segment.lobeWidth = alpha;
-    }
-    if (const json* smoothing = reader.find("smoothing"); smoothing != nullptr && !smoothing->is_null())
-        reader.read("smoothing", segment.smoothing.emplace(), 0.0f, 200.0f);
+    readParams(reader, segmentParams(), segment);
     if (const json* edit = reader.find("edit"))
         segment.edit = readMaterial(*edit, reader.place("edit"), ErrorKind::Input, masks, folder, notes);
     reader.finish();
@@ -127,7 +99,7 @@ Segment readSegment(const json& value, const std::string& place, MaskLoader& mas
 void readSegments(const json& list, const std::string& folder, Scene& scene, Notes* notes) {
     MaskLoader masks(folder);
     if (!list.is_array())
-        throw Error(ErrorKind::Input, Message("messages", "\"%1\" is no list [...].").with("segments"));
+        throw Error(ErrorKind::Input, Message("messages", "\"%1\" is not a list [...].").with("segments"));
     std::set<std::uint16_t> labels;
     std::set<std::string> names;
     std::set<std::uint16_t> present;
@@ -151,47 +123,7 @@ void readSegments(const json& list, const std::string& folder, Scene& scene, Not
     }
 }
 
-void readDepthFilter(const json& value, DepthFilterParams& params) {
-    JsonReader reader(value, "depth_filter", ErrorKind::Input);
-    reader.read("enabled", params.enabled);
-    reader.read("automatic", params.automatic);
-    reader.read("spatial_sigma", params.spatialSigma, 0.1f, 100.0f);
-    reader.read("color_sigma", params.colorSigma, 1e-4f, 100.0f);
-    reader.read("depth_sigma", params.depthSigma, 1e-6f, 100.0f);
-    reader.read("hole_radius", params.holeRadius, 0, 1000);
-    reader.finish();
-}
-
-void readEnvironment(const json& value, const PathReader& paths, EnvironmentParams& params) {
-    JsonReader reader(value, "environment", ErrorKind::Input);
-    paths.read(reader, "path", params.path);
-    reader.read("rotation", params.rotation, -1000.0f, 1000.0f);
-    reader.read("scale", params.scale, 0.0f, 1e6f);
-    reader.read("height", params.height, 4, 4096);
-    if (const auto use = reader.readChoice("use", kEnvironmentUses)) params.use = static_cast<EnvironmentUse>(*use);
-    if (const auto fill = reader.readChoice("fill", kEnvironmentFills))
-        params.fill = static_cast<EnvironmentFill>(*fill);
-    reader.finish();
-    if (!params.path.empty()) params.image = loadEnvironment(params.path);
-}
-
-void readRender(const json& value, RenderParams& params) {
-    JsonReader reader(value, "render", ErrorKind::Input);
-    reader.read("samples", params.samples, 1, 1'000'000);
-    reader.read("time_limit", params.timeLimit, 0, 86400);
-    reader.read("seed", params.seed);
-    reader.read("bounces", params.bounces, 1, 64);
-    reader.read("filter", params.filter);
-    reader.read("surface_samples", params.surfaceSamples, 1, 10'000'000);
-    reader.read("irradiance_samples", params.irradianceSamples, 1, 1'000'000);
-    if (const auto quality = reader.readChoice("translucency_quality", kDiffusionQualities))
-        params.diffusionQuality = static_cast<DiffusionQuality>(*quality);
-    reader.finish();
-}
-
-Scene readProject(const std::string& path, Notes* notes, const Progress& progress) {
-    const json document = parseJson(readFile(path, kMaxProjectBytes), ErrorKind::Input);
-    JsonReader reader(document, "", ErrorKind::Input);
+void readVersion(JsonReader& reader) {
     std::string format;
     reader.read("format", format);
     if (format != "patina")
@@ -202,33 +134,36 @@ Scene readProject(const std::string& path, Notes* notes, const Progress& progres
     if (version > kVersion)
         reader.fail(Message("messages", "The project has version %1, this program reads up to version %2.")
                         .with(version, kVersion));
+}
+
+Scene readProject(const std::string& path, Notes* notes, const Progress& progress) {
+    const json document = parseJson(readFile(path, kMaxProjectBytes), ErrorKind::Input);
+    JsonReader reader(document, "", ErrorKind::Input);
+    readVersion(reader);
     const PathReader paths(path);
+    Scene scene;
     reader.require("photo");
     const json* photo = reader.find("photo");
-    const json* filter = reader.find("depth_filter");
-    const json* environment = reader.find("environment");
-    const json* render = reader.find("render");
     const json* segments = reader.find("segments");
-    Scene scene;
     paths.read(reader, "back_depth", scene.backDepthPath);
+    readParams(reader, sceneParams(), scene, [&](std::string_view object, JsonReader& inner) {
+        if (object == "environment") paths.read(inner, "path", scene.environment.path);
+    });
     reader.finish();
 
-    PhotoRequest request = readPhoto(*photo, paths);
-    if (filter != nullptr) readDepthFilter(*filter, scene.depthFilter);
-    if (render != nullptr) readRender(*render, scene.render);
-    scene.photo = loadPhoto(request, notes, progress.part(0, kPhotoEnd));
+    scene.photo = loadPhoto(readPhoto(*photo, paths), notes, progress.part(0, kPhotoEnd));
     if (segments != nullptr) {
         Notes unheard;
         readSegments(*segments, fs::path(path).parent_path().string(), scene, notes != nullptr ? notes : &unheard);
         requireMasksFit(scene);
     }
     addMissingSegments(scene);
-    if (environment != nullptr) readEnvironment(*environment, paths, scene.environment);
+    if (!scene.environment.path.empty()) scene.environment.image = loadEnvironment(scene.environment.path);
     if (!scene.backDepthPath.empty()) scene.backDepth = loadBackDepth(scene.backDepthPath, scene.photo->camera);
     return scene;
 }
 
-/// `path` as seen from `folder`; both through their real folders, because ".." does not mean the same behind a link.
+/// `path` relative to `folder`, resolving links, because ".." means something else behind a link.
 std::string relativeTo(const fs::path& folder, const std::string& path) {
     if (path.empty()) return {};
     std::error_code code;
@@ -236,19 +171,26 @@ std::string relativeTo(const fs::path& folder, const std::string& path) {
     return (code || relative.empty() ? fs::absolute(path) : relative).generic_string();
 }
 
+ordered_json writePhoto(const Photo& photo, const fs::path& folder) {
+    const PhotoSource& source = photo.source;
+    ordered_json result;
+    result["color"] = relativeTo(folder, source.color);
+    if (!source.depth.empty()) result["depth"] = relativeTo(folder, source.depth);
+    result["depth_kind"] = wordOf(source.depthKind);
+    result["depth_unit"] = source.depthUnit;
+    if (!source.segments.empty()) result["segments"] = relativeTo(folder, source.segments);
+    result["intrinsics"] = {{"fx", toJson(photo.camera.fx)},
+                            {"fy", toJson(photo.camera.fy)},
+                            {"cx", toJson(photo.camera.cx)},
+                            {"cy", toJson(photo.camera.cy)}};
+    return result;
+}
+
 ordered_json writeSegment(const Segment& segment, const fs::path& folder) {
     ordered_json result;
     result["label"] = segment.label;
     result["name"] = segment.name;
-    result["glossy"] = segment.glossy;
-    result["back_side"] = {{"method", backSideMethodKey(segment.backSide.method)},
-                           {"offset", toJson(segment.backSide.offset)},
-                           {"plane_shift", toJson(segment.backSide.planeShift)},
-                           {"thickness_scale", toJson(segment.backSide.thicknessScale)},
-                           {"min_thickness", toJson(segment.backSide.minThickness)}};
-    if (segment.reflectance) result["reflectance"] = toJson(*segment.reflectance);
-    if (segment.lobeWidth) result["lobe_width"] = toJson(*segment.lobeWidth);
-    if (segment.smoothing) result["smoothing"] = toJson(*segment.smoothing);
+    writeParams(result, segmentParams(), segment);
     if (segment.edit)
         result["edit"] =
             writeMaterial(*segment.edit, [&](const std::string& file) { return relativeTo(folder, file); });
@@ -256,46 +198,18 @@ ordered_json writeSegment(const Segment& segment, const fs::path& folder) {
 }
 
 ordered_json writeScene(const Scene& scene, const fs::path& folder) {
-    const Photo& photo = *scene.photo;
-    const PhotoSource& source = photo.source;
     ordered_json result;
     result["format"] = "patina";
     result["version"] = kVersion;
-    ordered_json& files = result["photo"];
-    files["color"] = relativeTo(folder, source.color);
-    if (!source.depth.empty()) files["depth"] = relativeTo(folder, source.depth);
-    files["depth_kind"] = depthKindKey(source.depthKind);
-    files["depth_unit"] = source.depthUnit;
-    if (!source.segments.empty()) files["segments"] = relativeTo(folder, source.segments);
-    files["intrinsics"] = {{"fx", toJson(photo.camera.fx)},
-                           {"fy", toJson(photo.camera.fy)},
-                           {"cx", toJson(photo.camera.cx)},
-                           {"cy", toJson(photo.camera.cy)}};
+    result["photo"] = writePhoto(*scene.photo, folder);
     result["segments"] = ordered_json::array();
     for (const Segment& segment : scene.segments) result["segments"].push_back(writeSegment(segment, folder));
-    result["depth_filter"] = {{"enabled", scene.depthFilter.enabled},
-                              {"automatic", scene.depthFilter.automatic},
-                              {"spatial_sigma", toJson(scene.depthFilter.spatialSigma)},
-                              {"color_sigma", toJson(scene.depthFilter.colorSigma)},
-                              {"depth_sigma", toJson(scene.depthFilter.depthSigma)},
-                              {"hole_radius", scene.depthFilter.holeRadius}};
-    ordered_json& environment = result["environment"];
-    if (!scene.environment.path.empty()) environment["path"] = relativeTo(folder, scene.environment.path);
-    environment["rotation"] = toJson(scene.environment.rotation);
-    environment["scale"] = toJson(scene.environment.scale);
-    environment["height"] = scene.environment.height;
-    environment["use"] = kEnvironmentUses[static_cast<std::size_t>(scene.environment.use)];
-    environment["fill"] = kEnvironmentFills[static_cast<std::size_t>(scene.environment.fill)];
+    // Created first, because insertion decides the order of keys.
+    result["depth_filter"] = ordered_json::object();
+    result["environment"] = ordered_json::object();
+    if (!scene.environment.path.empty()) result["environment"]["path"] = relativeTo(folder, scene.environment.path);
     if (!scene.backDepthPath.empty()) result["back_depth"] = relativeTo(folder, scene.backDepthPath);
-    result["render"] = {
-        {"samples", scene.render.samples},
-        {"time_limit", scene.render.timeLimit},
-        {"seed", scene.render.seed},
-        {"bounces", scene.render.bounces},
-        {"filter", scene.render.filter},
-        {"surface_samples", scene.render.surfaceSamples},
-        {"irradiance_samples", scene.render.irradianceSamples},
-        {"translucency_quality", kDiffusionQualities[static_cast<std::size_t>(scene.render.diffusionQuality)]}};
+    writeParams(result, sceneParams(), scene);
     return result;
 }
 
@@ -345,10 +259,6 @@ void saveProject(const Scene& scene, const std::string& path) {
             ErrorKind::Output,
             Message("messages", "Cannot write \"%1\": a file or segment name in it is not valid UTF-8.").with(path));
     }
-}
-
-const std::string& backSideMethodKey(BackSideMethod method) {
-    return kBackSideMethods[static_cast<std::size_t>(method)];
 }
 
 }  // namespace core

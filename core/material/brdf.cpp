@@ -5,7 +5,8 @@
 #include <cstdio>
 #include <string>
 
-#include "core/material/brdf_file.h"
+#include "core/material/measured_brdf.h"
+#include "core/material/user_brdf.h"
 #include "shaders/brdf/brdf.h"
 
 namespace core {
@@ -22,8 +23,6 @@ namespace {
              static_cast<Fresnel>(name##_table.defaultFresnel)},
 constexpr BrdfInfo kBrdfs[] = {BRDF_LIST(PATINA_BRDF_INFO)};
 #undef PATINA_BRDF_INFO
-
-constexpr std::array<const char*, 4> kFresnelKeys{"none", "schlick", "dielectric", "conductor"};
 
 static_assert(static_cast<int>(Fresnel::None) == kernel::kFresnelNone);
 static_assert(static_cast<int>(Fresnel::Schlick) == kernel::kFresnelSchlick);
@@ -85,7 +84,7 @@ std::string brdfTableMarkdown() {
     for (const BrdfInfo& info : kBrdfs) {
         table += std::string("| `") + info.key + "` | " +
                  (info.usesAlbedo     ? "`albedo`"
-                  : info.usesSpecular ? std::string("`specular`; `fresnel`: `") + fresnelKey(info.defaultFresnel) + "`"
+                  : info.usesSpecular ? std::string("`specular`; `fresnel`: `") + wordOf(info.defaultFresnel) + "`"
                                       : "") +
                  " | ";
         for (std::size_t i = 0; i < info.params.size(); ++i) {
@@ -99,14 +98,6 @@ std::string brdfTableMarkdown() {
         table += " |\n";
     }
     return table;
-}
-
-const char* fresnelKey(Fresnel mode) { return kFresnelKeys.at(static_cast<std::size_t>(mode)); }
-
-std::optional<Fresnel> findFresnel(std::string_view key) {
-    for (std::size_t i = 0; i < kFresnelKeys.size(); ++i)
-        if (key == kFresnelKeys[i]) return static_cast<Fresnel>(i);
-    return std::nullopt;
 }
 
 }  // namespace core

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/material/measured_brdf.h"
+#include "core/material/user_brdf.h"
 #include "shaders/brdf/registry.h"
 
 namespace core {
@@ -17,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Tells one state of a file from another.
+/// Identifies one state of a file.
 struct Stamp {
     std::uintmax_t size = 0;
     fs::file_time_type time;
@@ -59,7 +61,7 @@ UserBrdfCheck& userBrdfCheck() {
     return check;
 }
 
-/// What is in use, by path.
+/// Files in use, by path.
 class Cache {
   public:
     std::shared_ptr<const BrdfFile> find(const std::string& path, const Stamp& stamp) {

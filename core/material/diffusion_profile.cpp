@@ -8,7 +8,7 @@
 namespace core {
 namespace {
 
-/// Scattering coefficients below this [1/mm] are no medium that diffusion describes.
+/// Extinction coefficients below this [1/mm] are outside the validity of diffusion.
 constexpr double kMinExtinction = 1e-6;
 
 double nonNegative(float value) { return std::isfinite(value) && value > 0 ? static_cast<double>(value) : 0.0; }
@@ -64,7 +64,7 @@ DiffusionProfile halfSpaceProfile(double sigmaSPrime, double sigmaA, ScatteringM
     const double d = better ? (2 * sigmaA + sigmaSPrime) / (3 * sigmaT * sigmaT) : 1 / (3 * sigmaT);
     const double zv = zr + 4 * boundary.a * d;
     const double strength = (better ? alpha * alpha : alpha) / (4 * std::numbers::pi);
-    // Where next to nothing is absorbed the two fluences are each without end, but not their difference.
+    // Almost without absorption each of the two fluences diverges, but not their difference.
     const double sigma = std::max(transportCoefficient(sigmaSPrime, sigmaA, model), better ? 1e-5 * sigmaT : 0.0);
     const double flux = strength * boundary.flux;
     const double fluence = strength * boundary.fluence / d;

@@ -12,9 +12,9 @@ namespace core {
 /// Mean Fresnel reflectance of a boundary for diffuse light from inside a medium of relative index `eta`; 0 for 1.
 [[nodiscard]] double internalDiffuseFresnel(double eta);
 
-/// What a boundary makes of diffuse light inside a medium of relative index `eta` [0.1, 10], else clamped.
+/// Effect of a boundary on diffuse light inside a medium of relative index `eta`, clamped to [0.1, 10].
 struct DiffuseBoundary {
-    double a = 1;        ///< light at the boundary behaves as if it were 2AD farther out
+    double a = 1;        ///< A: the light vanishes at the extrapolated boundary, 2AD outside
     double fluence = 0;  ///< exitance per fluence; 0 in the dipole
     double flux = 1;     ///< exitance per net flux
 };
@@ -22,7 +22,7 @@ struct DiffuseBoundary {
 /// boundary from inside, A = (1 + 3 C₂)/(1 − 2 C₁), (1 − 2 C₁)/4 and (1 − 3 C₂)/2.
 [[nodiscard]] DiffuseBoundary diffuseBoundary(ScatteringModel model, double eta);
 
-/// How light spreads below a surface: the radially symmetric reflectance profile R_d [1/m²] per colour channel, a sum
+/// Spread of light below a surface: the radially symmetric reflectance profile R_d [1/m²] per colour channel, a sum
 /// of point sources in a medium. Double precision: the kernels' oracle.
 struct DiffusionProfile {
     /// With d² = r² + z²: flux · z (1 + σd) e^(−σ(d−δ))/d³ + fluence · e^(−σ(d−δ))/d. δ = `shift` belongs to the blur.
@@ -35,15 +35,15 @@ struct DiffusionProfile {
     };
     std::array<std::vector<Term>, 3> terms;  ///< per colour channel
     float eta = 1;                           ///< relative index of refraction of the boundary
-    double sampleArea = 0;                   ///< of the samples it is blurred for [m²]; 0 = not blurred
+    double sampleArea = 0;                   ///< area per sample that it is blurred for [m²]; 0 = not blurred
 
     /// R_d [1/m²] at squared distance `r2` [m²].
     [[nodiscard]] double evaluate(int channel, double r2) const;
     /// Integral of R_d over the plane, in closed form.
     [[nodiscard]] double integral(int channel) const;
-    /// Three standard deviations of what samples that each stand for `sampleArea` make of the integral, because they
-    /// lie denser here and sparser there. The deviation is 1.5 A ∫R_d² / ∫R_d (measured on photographs with marble and
-    /// cream at 10k to 131k samples: 1.4 to 1.7); it vanishes as samples grow denser.
+    /// Three standard deviations of the integral when it is summed over samples of `sampleArea` each, whose density
+    /// varies. The deviation is 1.5 A ∫R_d² / ∫R_d (measured on photographs with marble and
+    /// cream at 10k to 131k samples: 1.4 to 1.7); it vanishes as samples become denser.
     [[nodiscard]] double tolerance(int channel) const;
 };
 
@@ -61,18 +61,19 @@ struct DiffusionProfile {
 /// incident power is −D ∂φ/∂z at z = 0:
 ///   R_d(r) = α'/(4π) Σ_{z_r, z_v} z (1 + σtr d) e^(−σtr d)/d³.
 /// The better dipole weights that net flux and the fluence α'/(4πD) (e^(−σtr d_r)/d_r − e^(−σtr d_v)/d_v) with what the
-/// boundary lets out of each, and counts light that was scattered twice and more: α' once again.
-/// Coefficients that no medium has (negative, not finite) count as the nearest that one can have; scattering too weak
-/// for diffusion gives α' near 0.
+/// boundary transmits of each, and counts only light scattered at least twice: another factor α'.
+/// Invalid coefficients (negative, not finite) are replaced by the nearest valid ones; scattering too weak for
+/// diffusion gives α' near 0.
 [[nodiscard]] DiffusionProfile profileFromTranslucency(const Translucency& translucency);
 
-/// The profile for light that enters at samples which stand for `area` [m²] each.
+/// The profile for light that enters at samples of `area` [m²] each.
 ///
-/// Samples farther apart than the real source is deep would show as dots, so R_d is blurred to the distance between
-/// them: in the plane a source's profile is exp(−z sqrt(k² + σtr²)) in frequency space, so moving it δ away from the
-/// surface and multiplying with exp(σtr δ) is an exact convolution, which keeps the reflectance. δ is such that the
-/// blur's peak, (1 + σtr δ)/(2π δ²), is 1/(2π area). It vanishes as samples grow denser; 0 leaves R_d as it is. Free
-/// paths 1/σtr shorter than the distance between samples, sqrt(area), are lengthened to it, at the same reflectance.
+/// Samples farther apart than the depth of the real source would be visible as dots, so R_d is blurred to the distance
+/// between them: in the plane a source's profile is exp(−z sqrt(k² + σtr²)) in frequency space, so moving it δ away
+/// from the surface and multiplying with exp(σtr δ) is an exact convolution, which keeps the reflectance. δ is such
+/// that the blur's peak, (1 + σtr δ)/(2π δ²), is 1/(2π area). The blur vanishes as samples become denser; 0 leaves R_d
+/// unchanged. Free paths 1/σtr shorter than the distance between samples, sqrt(area), are lengthened to it, at the same
+/// reflectance.
 [[nodiscard]] DiffusionProfile blurred(DiffusionProfile profile, double area);
 
 }  // namespace core

@@ -135,7 +135,7 @@ class Tokenizer {
     GlslText result_;
 };
 
-/// Brackets match, and neither they nor statements grow without bound.
+/// Throws unless brackets match and nesting and statements stay within the limits.
 void checkShape(const std::string& path, const std::vector<GlslToken>& tokens) {
     std::vector<const GlslToken*> open;
     std::size_t statement = 0;

@@ -10,7 +10,7 @@
 
 namespace core {
 
-/// A word or sign of a GLSL text, comments left out.
+/// A word or sign of a GLSL text; comments are skipped.
 struct GlslToken {
     enum class Kind { Name, Number, Sign };
     std::string text;
@@ -22,21 +22,21 @@ struct GlslToken {
 
 struct GlslText {
     std::vector<GlslToken> tokens;
-    std::map<int, std::string> lineComments;  ///< what follows "//", by line
+    std::map<int, std::string> lineComments;  ///< text after "//", by line
 };
 
 /// Throws Error(Input) "PATH:LINE: REASON".
 [[noreturn]] void refuseGlsl(const std::string& path, int line, const Message& reason);
 
-/// How far a text may go, so that whatever reads it after this takes little time, memory and depth.
+// Limits of a text that bound the time, memory and recursion depth of everything that reads it later.
 inline constexpr std::size_t kMaxGlslTokens = 6000;
-inline constexpr std::size_t kMaxGlslNesting = 40;     ///< of brackets
+inline constexpr std::size_t kMaxGlslNesting = 40;     ///< nested brackets
 inline constexpr std::size_t kMaxGlslStatement = 600;  ///< tokens between two of ; { }
 inline constexpr std::size_t kMaxGlslName = 64;        ///< characters
 inline constexpr int kMaxGlslElses = 100;              ///< "else if" nests without brackets
 
-/// Splits a text into tokens. Throws Error(Input) naming path, line and reason for one that is not UTF-8, has lines of
-/// the preprocessor, signs that GLSL does not have, a comment without end, unbalanced brackets, or is too long.
+/// Splits a text into tokens. Throws Error(Input) naming path, line and reason when it is not UTF-8, is too long, or
+/// has preprocessor lines, characters unknown to GLSL, an unterminated comment or unbalanced brackets.
 [[nodiscard]] GlslText tokenizeGlsl(const std::string& path, std::string_view text);
 
 }  // namespace core

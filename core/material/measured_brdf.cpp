@@ -33,8 +33,8 @@ constexpr std::array<double, 3> kScale{1 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0}
 constexpr std::size_t kEntries = std::size_t{kMeasuredThetaH} * kMeasuredThetaD * kMeasuredPhiD;
 constexpr std::size_t kFileBytes = sizeof(kDimensions) + 3 * kEntries * sizeof(double);
 
-/// Least chance of the cosine lobe: bounds the weight of a sample where the tables of the half angle miss something.
-constexpr float kLeastCosineChance = 0.1f;
+/// Minimum probability of the cosine lobe: bounds the weight of samples that the half-angle tables miss.
+constexpr float kMinCosineChance = 0.1f;
 
 kernel::vec3 direction(double theta, double phi) {
     return {static_cast<float>(std::sin(theta) * std::cos(phi)), static_cast<float>(std::sin(theta) * std::sin(phi)),
@@ -42,7 +42,7 @@ kernel::vec3 direction(double theta, double phi) {
 }
 
 /// Fills one row of the sampling tables. The reflected light is split into a constant BRDF, sampled by the cosine, and
-/// what is above it, whose distribution over the half angle is tabulated.
+/// the excess over it, whose distribution over the half angle is tabulated.
 void tabulateSampling(std::vector<float>& table, std::uint32_t row) {
     using std::numbers::pi;
     kernel::BrdfParams b{};
@@ -81,7 +81,7 @@ void tabulateSampling(std::vector<float>& table, std::uint32_t row) {
     }
     const double total = base * pi + sum;
     float* out = table.data() + std::size_t{row} * kMeasuredRowSize;
-    out[0] = sum > 1e-4 * total ? std::max(static_cast<float>(base * pi / total), kLeastCosineChance) : 1.0f;
+    out[0] = sum > 1e-4 * total ? std::max(static_cast<float>(base * pi / total), kMinCosineChance) : 1.0f;
     double cumulative = 0;
     for (std::uint32_t bin = 0; bin < kMeasuredThetaH; ++bin) {
         out[1 + bin] = sum > 0 ? static_cast<float>(cumulative / sum) : 0.0f;

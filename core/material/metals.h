@@ -22,7 +22,7 @@ struct Metal {
 /// By key ("gold"); nullptr when there is none.
 [[nodiscard]] const Metal* findMetal(std::string_view key);
 
-/// The metal whose numbers the material has; nullptr when they are other ones or the Fresnel mode is not Conductor.
+/// The metal whose values the material has; nullptr when there is none or the Fresnel mode is not Conductor.
 [[nodiscard]] const Metal* metalOf(const Material& material);
 
 /// Makes the material's specular lobe that of the clean metal: Fresnel mode, n, k, and a white specular colour.

@@ -72,7 +72,7 @@ Translucency translucencyFromDiffuse(const Vector3f& color, const Vector3f& mean
             const double middle = 0.5 * (low + high);
             (halfSpaceReflectance(middle, model, boundary) < target ? low : high) = middle;
         }
-        // At α' = 1 nothing is absorbed and σtr is 0 whatever σt' is, so stop just short of it.
+        // At α' = 1 there is no absorption and σtr is 0 for any σt', so stop just short of it.
         const double alphaPrime = std::min(0.5 * (low + high), 0.99999);
         const double sigmaTr = 1 / std::max(coefficient(meanFreePathMm[c]), 1e-4);
         const double sigmaT = sigmaTr / transportCoefficient(alphaPrime, 1 - alphaPrime, model);
@@ -87,7 +87,7 @@ Vector3f diffuseMeanFreePath(const Translucency& translucency) {
     for (int c = 0; c < 3; ++c) {
         const double sigmaTr = transportCoefficient(coefficient(translucency.sigmaSPrime[c]),
                                                     coefficient(translucency.sigmaA[c]), translucency.model);
-        result[c] = static_cast<float>(std::min(1 / std::max(sigmaTr, 1e-9), static_cast<double>(kLongestFreePath)));
+        result[c] = static_cast<float>(std::min(1 / std::max(sigmaTr, 1e-9), static_cast<double>(kMaxMeanFreePath)));
     }
     return result;
 }

@@ -27,14 +27,14 @@ struct TranslucencyPreset {
 /// The preset as a material's translucency, scale and weight 1.
 [[nodiscard]] Translucency toTranslucency(const TranslucencyPreset& preset);
 
-/// Coefficients that give a thick slab the diffuse reflectance `color` (each channel in [0, 1], clamped to what the
-/// model can reach) and the light a mean free path 1/σtr of `meanFreePathMm` [mm, > 0] (inverts `diffuseReflectance`).
+/// Coefficients for which a thick slab has the diffuse reflectance `color` (each channel in [0, 1], clamped to the
+/// range of the model) and the mean free path 1/σtr `meanFreePathMm` [mm, > 0]. Inverts `diffuseReflectance`.
 [[nodiscard]] Translucency translucencyFromDiffuse(const Vector3f& color, const Vector3f& meanFreePathMm, float eta,
                                                    ScatteringModel model = ScatteringModel::Dipole);
 
-/// Mean free path 1/σtr per channel [mm]; where nothing is absorbed it has no end and `kLongestFreePath` stands for it.
+/// Mean free path 1/σtr per channel [mm], at most kMaxMeanFreePath: without absorption it is infinite.
 [[nodiscard]] Vector3f diffuseMeanFreePath(const Translucency& translucency);
-inline constexpr float kLongestFreePath = 1000;  // [mm]
+inline constexpr float kMaxMeanFreePath = 1000;  // [mm]
 
 /// Diffuse reflectance of a half space: the integral of R_d over the plane, for the dipole (α'/2)(1 + e^(−4/3 A s))
 /// e^(−s) with s = sqrt(3(1−α')); per channel, in [0, 1].

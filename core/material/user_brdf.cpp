@@ -20,11 +20,11 @@ using Names = std::set<std::string, std::less<>>;
 const Names kTypes{"void",  "bool",  "int",   "uint",  "float", "vec2",  "vec3",  "vec4", "ivec2", "ivec3",
                    "ivec4", "uvec2", "uvec3", "uvec4", "bvec2", "bvec3", "bvec4", "mat2", "mat3",  "mat4"};
 
-/// Words of GLSL that stay as they are.
+/// Words of GLSL that stay unchanged.
 const Names kWords{"if",    "else", "for", "while", "do",   "return", "break", "continue",
                    "const", "in",   "out", "inout", "true", "false",  "length"};
 
-/// Functions of GLSL that stay as they are.
+/// Functions of GLSL that stay unchanged.
 const Names kBuiltins{"radians",
                       "degrees",
                       "sin",
@@ -90,7 +90,7 @@ const Names kBuiltins{"radians",
                       "intBitsToFloat",
                       "uintBitsToFloat"};
 
-/// What the program offers beside GLSL, and its name there.
+/// Names offered in addition to GLSL, and their names in the program.
 const std::map<std::string, std::string, std::less<>> kOffered{{"kPi", "kPi"},
                                                                {"kInvPi", "kInvPi"},
                                                                {"luminance", "luminance"},
@@ -102,10 +102,10 @@ const std::map<std::string, std::string, std::less<>> kOffered{{"kPi", "kPi"},
                                                                {"ggx_lobe", "ggx_lobe"},
                                                                {"ggx_lobe_pdf", "ggx_lobe_pdf"},
                                                                {"ggx_lobe_sample", "ggx_lobe_sample"}};
-/// What calling one of them counts, in tokens.
+/// Cost of calling one of them, in tokens.
 constexpr std::size_t kOfferedSize = 100;
 
-/// Words by which a text would reach beyond its own functions, or that would not be bounded.
+/// Words that would let a text reach beyond its own functions, or run without bound.
 const Names kRefused{"layout",    "buffer",   "shared",     "attribute",     "varying",   "coherent",
                      "volatile",  "restrict", "subroutine", "struct",        "precision", "precise",
                      "invariant", "discard",  "switch",     "case",          "default",   "goto",
@@ -165,7 +165,7 @@ class Reader {
         return kTypes.contains(name) || kWords.contains(name) || kBuiltins.contains(name) || kOffered.contains(name);
     }
 
-    /// Declarations outside functions: parameters are taken out, constants and functions kept.
+    /// Declarations outside functions: removes parameters, keeps constants and functions.
     void readGlobals() {
         const std::vector<GlslToken>& tokens = text_.tokens;
         for (const GlslToken& t : tokens)
@@ -184,14 +184,14 @@ class Reader {
     }
 
     std::size_t readParam(std::size_t i) {
-        const std::size_t end = readUserParam(text_, i, brdf_);
+        const std::size_t end = readUserParam(text_, i, brdf_.path, brdf_);
         const GlslToken& name = text_.tokens[i + 2];
         if (isFixed(name.text))
             refuse(name.line, Message("messages", "\"%1\" is a name of GLSL or of the program.").with(name.text));
         return end;
     }
 
-    /// `const TYPE name ...;`, `TYPE name(...) {...}` or `TYPE name(...);` at token `i`; returns the token behind it.
+    /// `const TYPE name ...;`, `TYPE name(...) {...}` or `TYPE name(...);` at token `i`; returns the next token.
     std::size_t readGlobal(std::size_t i) {
         const std::vector<GlslToken>& tokens = text_.tokens;
         const bool constant = tokens[i].is("const");
@@ -238,7 +238,7 @@ class Reader {
         return std::string(s.result) + " " + s.name + "(" + s.first + ", " + s.second + ")";
     }
 
-    /// The body that begins at token `i`; returns its last brace.
+    /// Reads the body that begins at token `i`; returns its closing brace.
     std::size_t readBody(const GlslToken& name, std::size_t i) {
         const std::vector<GlslToken>& tokens = text_.tokens;
         Function& function = functions_[name.text];
@@ -255,7 +255,7 @@ class Reader {
         }
     }
 
-    /// Of the constants in one declaration; the first has been looked at.
+    /// Checks the names of further constants in a declaration, after the first.
     void refuseTakenNames(std::size_t i, std::size_t end) const {
         for (int depth = 0; i < end; ++i) {
             const GlslToken& t = text_.tokens[i];
@@ -300,7 +300,7 @@ class Reader {
         }
     }
 
-    /// Every loop asks user_step() before it goes on.
+    /// Makes every loop call user_step() before it continues.
     void boundLoops() {
         for (std::size_t i = 0; i + 1 < kept_.size(); ++i) {
             const bool isFor = kept_[i].is("for");
@@ -328,7 +328,7 @@ class Reader {
         }
     }
 
-    /// Arrays are small, and indices stay inside: [N] stays, a[i] becomes a[user_index(i, a.length())].
+    /// Limits the size of arrays and bounds indices: [N] stays, a[i] becomes a[user_index(i, a.length())].
     void boundIndices() {
         int sum = 0;
         for (std::size_t i = 0; i < kept_.size(); ++i) {
@@ -388,7 +388,7 @@ class Reader {
     UserBrdf& brdf_;
     GlslText text_;
     std::vector<GlslToken> kept_;
-    std::vector<std::string> before_, after_;  ///< text around what was kept
+    std::vector<std::string> before_, after_;  ///< text inserted around each token of `kept_`
     std::map<std::string, Function> functions_;
 };
 

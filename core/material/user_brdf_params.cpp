@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMaxLabel = 60;  // bytes
 constexpr const char* kForm = "uniform float name = 0.5;  // 0 to 1, \"Label\"";
 
-/// Keys that every edit has.
+/// Keys of every edit, taken by the program.
 const std::set<std::string, std::less<>> kTaken{"brdf",   "blend",    "eta",          "k",     "fresnel", "metal",
                                                 "albedo", "specular", "translucency", "drives"};
 
@@ -22,7 +22,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// Takes the next word off `text`.
+/// Removes the next word from `text`.
 std::string_view word(std::string_view& text) {
     text = trimmed(text);
     const std::string_view result = text.substr(0, text.find_first_of(" \t"));
@@ -32,8 +32,8 @@ std::string_view word(std::string_view& text) {
 
 class ParamReader {
   public:
-    ParamReader(const GlslText& text, std::size_t begin, UserBrdf& brdf)
-        : text_(text), begin_(begin), line_(text.tokens[begin].line), brdf_(brdf) {}
+    ParamReader(const GlslText& text, std::size_t begin, const std::string& path, UserBrdfParams& params)
+        : text_(text), begin_(begin), line_(text.tokens[begin].line), path_(path), result_(params) {}
 
     std::size_t read() {
         end_ = begin_;
@@ -41,7 +41,7 @@ class ParamReader {
         if (end_ == text_.tokens.size() || text_.tokens[end_].line != line_)
             refuse(Message("messages", "A parameter is declared in one line: %1").with(kForm));
         if (end_ - begin_ == 3 && token(1).is("vec3") && (token(2).is("albedo") || token(2).is("specular"))) {
-            (token(2).is("albedo") ? brdf_.usesAlbedo : brdf_.usesSpecular) = true;
+            (token(2).is("albedo") ? result_.usesAlbedo : result_.usesSpecular) = true;
             return end_ + 1;
         }
         const std::size_t sign = end_ - begin_ == 6 && token(4).is("-") ? 1 : 0;
@@ -55,7 +55,7 @@ class ParamReader {
     }
 
   private:
-    [[noreturn]] void refuse(const Message& reason) const { refuseGlsl(brdf_.path, line_, reason); }
+    [[noreturn]] void refuse(const Message& reason) const { refuseGlsl(path_, line_, reason); }
     [[nodiscard]] const GlslToken& token(std::size_t n) const { return text_.tokens[begin_ + n]; }
 
     [[nodiscard]] float number(std::string_view text) const {
@@ -68,14 +68,14 @@ class ParamReader {
         return value;
     }
 
-    const char* keep(std::string_view text) { return brdf_.texts.emplace_back(text).c_str(); }
+    const char* keep(std::string_view text) { return result_.texts.emplace_back(text).c_str(); }
 
     void addParam(const std::string& name, const std::string& initial) {
-        if (brdf_.params.size() == kBrdfValueCount)
+        if (result_.params.size() == kBrdfValueCount)
             refuse(Message("messages", "A BRDF has at most %1 parameters.").with(kBrdfValueCount));
         if (kTaken.contains(name))
             refuse(Message("messages", "A parameter cannot be called \"%1\": edits have that key already.").with(name));
-        for (const ParamInfo& other : brdf_.params)
+        for (const ParamInfo& other : result_.params)
             if (name == other.key) refuse(Message("messages", "The parameter \"%1\" is declared twice.").with(name));
         ParamInfo param{.key = keep(name),
                         .label = nullptr,
@@ -89,10 +89,10 @@ class ParamReader {
             refuse(Message("messages", "The range of \"%1\" has to rise and to contain its initial value.").with(name));
         if (param.logScale && param.min <= 0)
             refuse(Message("messages", "The range of \"%1\" is log and has to be above 0.").with(name));
-        brdf_.params.push_back(param);
+        result_.params.push_back(param);
     }
 
-    /// LEAST to GREATEST [UNIT] [, log] [, "LABEL"]
+    /// MIN to MAX [UNIT] [, log] [, "LABEL"]
     void readComment(const std::string& name, ParamInfo& param) {
         const auto comment = text_.lineComments.find(line_);
         std::string_view text = comment == text_.lineComments.end() ? std::string_view() : comment->second;
@@ -134,13 +134,14 @@ class ParamReader {
     std::size_t begin_;
     std::size_t end_ = 0;
     int line_;
-    UserBrdf& brdf_;
+    const std::string& path_;
+    UserBrdfParams& result_;
 };
 
 }  // namespace
 
-std::size_t readUserParam(const GlslText& text, std::size_t i, UserBrdf& brdf) {
-    return ParamReader(text, i, brdf).read();
+std::size_t readUserParam(const GlslText& text, std::size_t i, const std::string& path, UserBrdfParams& params) {
+    return ParamReader(text, i, path, params).read();
 }
 
 }  // namespace core

@@ -10,18 +10,18 @@ namespace core {
 
 struct Brush {
     float radius = 20;      ///< [px]
-    float hardness = 0.5f;  ///< share of the radius inside which the brush is full, [0, 1]
-    float strength = 1;     ///< how far one stroke goes towards white (or black), [0, 1]
+    float hardness = 0.5f;  ///< fraction of the radius at full strength, [0, 1]
+    float strength = 1;     ///< opacity of one stroke, [0, 1]
     bool erase = false;     ///< paints black
 };
 
-/// One stroke: crossing itself it does not get stronger. Stays inside one segment.
+/// One stroke inside one segment. It gets no stronger where it crosses itself.
 class BrushStroke {
   public:
     /// `labels` has the mask's size and has to outlive the stroke.
     BrushStroke(const Mask& before, const Brush& brush, const LabelImage& labels, std::uint16_t label);
 
-    /// Goes on to (x, y), continuous picture coordinates; the first call is a dab.
+    /// Continues to (x, y) in continuous picture coordinates; the first call is a dab.
     void moveTo(float x, float y);
     [[nodiscard]] const Mask& mask() const { return mask_; }
 

@@ -4,16 +4,29 @@
 #include <algorithm>
 
 #include "core/material/drive_parameters.h"
+#include "core/scene/params.h"
 
 namespace core {
 namespace {
 
-bool sameLight(const EnvironmentParams& a, const EnvironmentParams& b) {
-    return a.image == b.image && a.path == b.path && a.rotation == b.rotation && a.scale == b.scale && a.use == b.use &&
-           a.fill == b.fill;
-}
+/// The earliest stage that one of several changes touches.
+class FirstStage {
+  public:
+    void touch(bool changed, Stage stage) {
+        if (changed) stage_ = std::min(stage_, stage);
+    }
+    template <class Owner>
+    void touch(std::span<const Param<Owner>> params, const Owner& before, const Owner& after) {
+        for (const Param<Owner>& param : params) touch(param.get(before) != param.get(after), param.stage);
+    }
+    [[nodiscard]] Stage stage() const { return stage_; }
 
-/// Weights are applied when the picture is put together; everything else in a material is part of its light transport.
+  private:
+    Stage stage_ = Stage::Display;
+};
+
+/// The material without the weights, which are applied when the picture is composited; everything else in it is part
+/// of its light transport.
 std::optional<Material> withoutWeights(const std::optional<Material>& material) {
     if (!material) return std::nullopt;
     Material result = *material;
@@ -26,51 +39,40 @@ std::optional<Material> withoutWeights(const std::optional<Material>& material) 
     return result;
 }
 
-Stage firstChangedSegmentStage(const Scene& before, const Scene& after) {
-    if (before.segments.size() != after.segments.size()) return Stage::BackSide;
-    Stage first = Stage::Display;
-    bool translucent = false;
-    for (const Scene* scene : {&before, &after})
-        for (const Segment& segment : scene->segments)
-            translucent = translucent || (segment.edit && segment.edit->translucency);
-    const auto touch = [&](bool changed, Stage stage) {
-        if (changed) first = std::min(first, stage);
-    };
+bool anyTranslucent(const Scene& scene) {
+    return std::ranges::any_of(scene.segments, [](const Segment& s) { return s.edit && s.edit->translucency; });
+}
+
+bool followsLuminance(const Segment& segment) { return segment.edit && drivenByLuminance(*segment.edit); }
+
+void touchSegments(const Scene& before, const Scene& after, FirstStage& first) {
+    first.touch(before.segments.size() != after.segments.size(), Stage::BackSide);
+    if (before.segments.size() != after.segments.size()) return;
+    // Light may reach a translucent segment by way of any other edited one.
+    const Stage transport = anyTranslucent(before) || anyTranslucent(after) ? Stage::Irradiance : Stage::Reshade;
     for (std::size_t i = 0; i < before.segments.size(); ++i) {
         const Segment& a = before.segments[i];
         const Segment& b = after.segments[i];
-        touch(a.smoothing != b.smoothing, Stage::Geometry);
-        touch(a.label != b.label || a.backSide != b.backSide, Stage::BackSide);
-        touch(a.glossy != b.glossy || a.reflectance != b.reflectance || a.lobeWidth != b.lobeWidth, Stage::Reflectance);
-        const auto detail = [](const Segment& s) { return s.edit && drivenByLuminance(*s.edit); };
-        touch(detail(a) != detail(b), Stage::Environment);
-        // Light that reaches a translucent segment may come by way of any other edited one.
-        touch(withoutWeights(a.edit) != withoutWeights(b.edit), translucent ? Stage::Irradiance : Stage::Reshade);
-        touch(a.edit != b.edit, Stage::Composite);
+        first.touch(segmentParams(), a, b);
+        first.touch(a.label != b.label, Stage::BackSide);
+        first.touch(followsLuminance(a) != followsLuminance(b), Stage::Environment);
+        first.touch(withoutWeights(a.edit) != withoutWeights(b.edit), transport);
+        first.touch(a.edit != b.edit, Stage::Composite);
     }
-    return first;
 }
 
 }  // namespace
 
 Stage firstChangedStage(const Scene& before, const Scene& after) {
-    if (before.photo != after.photo) return Stage::Input;
-    if (before.depthFilter != after.depthFilter) return Stage::Geometry;
-    Stage first = firstChangedSegmentStage(before, after);
-    const auto touch = [&](bool changed, Stage stage) {
-        if (changed) first = std::min(first, stage);
-    };
-    touch(before.backDepth != after.backDepth, Stage::BackSide);
-    touch(before.environment.height != after.environment.height, Stage::Reflectance);
-    touch(!sameLight(before.environment, after.environment), Stage::Environment);
-    const RenderParams& a = before.render;
-    const RenderParams& b = after.render;
-    touch(a.seed != b.seed || a.bounces != b.bounces || a.surfaceSamples != b.surfaceSamples ||
-              a.irradianceSamples != b.irradianceSamples || a.diffusionQuality != b.diffusionQuality,
-          Stage::Irradiance);
-    touch(a.samples != b.samples || a.timeLimit != b.timeLimit, Stage::Reshade);
-    touch(a.filter != b.filter, Stage::Composite);
-    return first;
+    FirstStage first;
+    first.touch(before.photo != after.photo, Stage::Input);
+    first.touch(before.backDepth != after.backDepth, Stage::BackSide);
+    const EnvironmentParams& a = before.environment;
+    const EnvironmentParams& b = after.environment;
+    first.touch(a.image != b.image || a.path != b.path, Stage::Environment);
+    first.touch(sceneParams(), before, after);
+    touchSegments(before, after, first);
+    return first.stage();
 }
 
 }  // namespace core

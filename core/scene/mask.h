@@ -29,7 +29,7 @@ class Mask {
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
-    /// The file it is kept in; "" = none yet.
+    /// Path of its file; "" = not saved yet.
     [[nodiscard]] const std::string& path() const { return path_; }
     void setPath(std::string path) { path_ = std::move(path); }
 

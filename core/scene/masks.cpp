@@ -33,20 +33,20 @@ Notes maskNotes(const Scene& scene) {
         for (const Drive& drive : segment.edit->drives) {
             if (drive.mask == nullptr || drive.mask->path().empty()) continue;
             const LabelImage& labels = scene.photo->labels;
-            float least = 2;
-            float greatest = -1;
+            float min = 2;
+            float max = -1;
             for (int y = 0; y < labels.height(); ++y)
                 for (int x = 0; x < labels.width(); ++x) {
                     if (labels(x, y) != segment.label) continue;
-                    least = std::min(least, drive.mask->value(x, y));
-                    greatest = std::max(greatest, drive.mask->value(x, y));
+                    min = std::min(min, drive.mask->value(x, y));
+                    max = std::max(max, drive.mask->value(x, y));
                 }
-            if (least != greatest) continue;
+            if (min != max) continue;
             notes.push_back(
                 Message("messages",
-                        "The mask \"%1\" is %2 everywhere in the segment \"%3\", so \"%4\" does not vary "
-                        "there. Is it the mask of another segment?")
-                    .with(drive.mask->path(), std::to_string(least).substr(0, 5), segment.name, drive.parameter));
+                        "The mask \"%1\" is %2 everywhere in the segment \"%3\", so \"%4\" does not vary there. Is it "
+                        "the mask of another segment?")
+                    .with(drive.mask->path(), std::to_string(min).substr(0, 5), segment.name, drive.parameter));
         }
     }
     return notes;

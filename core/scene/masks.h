@@ -6,9 +6,9 @@
 
 namespace core {
 
-/// Throws Error(Input), or of another kind, naming the first mask that has not the photograph's size.
+/// Throws an error of this kind naming the first mask whose size is not the photograph's.
 void requireMasksFit(const Scene& scene, ErrorKind kind = ErrorKind::Input);
-/// Sentences about masks that are the same everywhere in their segment.
+/// Sentences about masks that are constant in their segment.
 [[nodiscard]] Notes maskNotes(const Scene& scene);
 
 }  // namespace core

@@ -2,7 +2,8 @@
 #include "core/scene/scene.h"
 
 #include <algorithm>
-#include <array>
+
+#include "core/base/label_table.h"
 
 namespace core {
 
@@ -26,11 +27,11 @@ Segment* Scene::findSegment(const std::string& labelOrName) {
 
 void addMissingSegments(Scene& scene) {
     if (!scene.photo) return;
-    std::array<bool, 65536> present{};
-    for (const std::uint16_t label : scene.photo->labels.pixels()) present[label] = true;
+    LabelTable<char> present;
+    for (const std::uint16_t label : scene.photo->labels.pixels()) present[label] = 1;
     for (std::size_t label = 1; label < present.size(); ++label) {
         const auto value = static_cast<std::uint16_t>(label);
-        if (!present[label] || scene.findSegment(value) != nullptr) continue;
+        if (present[label] == 0 || scene.findSegment(value) != nullptr) continue;
         Segment segment;
         segment.label = value;
         segment.name = "segment " + std::to_string(label);

@@ -10,13 +10,22 @@
 
 #include "core/base/camera.h"
 #include "core/base/image.h"
+#include "core/base/words.h"
 #include "core/material/material.h"
+#include "shaders/shared/param_info.h"
 
 namespace core {
 
 /// Meaning of stored depth values. Z: planar; Distance: along the ray; Disparity, Inverse: 1/z in 1/unit (Disparity is
 /// what phones store, Inverse what networks give; both are read as 1/z here).
 enum class DepthKind { Z, Distance, Disparity, Inverse };
+template <>
+struct Words<DepthKind> {
+    static constexpr Word<DepthKind> table[] = {{DepthKind::Z, "z"},
+                                                {DepthKind::Distance, "distance"},
+                                                {DepthKind::Disparity, "disparity"},
+                                                {DepthKind::Inverse, "inverse"}};
+};
 
 /// Where the photograph came from; written to the project so that it can be loaded again.
 struct PhotoSource {
@@ -42,7 +51,7 @@ struct Photo {
     float clipLevel = std::numeric_limits<float>::infinity();
 };
 
-/// Ways to invent the unseen back side of a segment (paper section 3.2).
+/// Ways to invent the unseen back side of a segment (docs/method.md#back-side).
 enum class BackSideMethod {
     Automatic,       ///< whichever of the others has the lowest penalty
     Offset,          ///< front depth plus a constant
@@ -51,25 +60,37 @@ enum class BackSideMethod {
     SpannedMirror,   ///< front mirrored along the rays at a surface spanned into the outline
     FlatFaces,       ///< hidden faces at right angles to the flat faces that end at the outline
 };
+template <>
+struct Words<BackSideMethod> {
+    static constexpr Word<BackSideMethod> table[] = {
+        {BackSideMethod::Automatic, "automatic", PARAM_LABEL("scene", "Automatic")},
+        {BackSideMethod::SpannedMirror, "spanned_mirror", PARAM_LABEL("scene", "Rounded: mirrored at its outline")},
+        {BackSideMethod::FlatFaces, "flat_faces", PARAM_LABEL("scene", "Box: flat faces continued")},
+        {BackSideMethod::PcaMirror, "pca_mirror", PARAM_LABEL("scene", "Mirrored at a fitted plane")},
+        {BackSideMethod::ParallelMirror, "parallel_mirror",
+         PARAM_LABEL("scene", "Mirrored at a plane facing the camera")},
+        {BackSideMethod::Offset, "offset", PARAM_LABEL("scene", "Constant thickness")}};
+};
 
 struct BackSideParams {
     BackSideMethod method = BackSideMethod::Automatic;
     float offset = 0.05f;         ///< [m], Offset only
-    float planeShift = 0;         ///< [m], mirrors only: moves the plane or surface that was found away from the camera
-    float thicknessScale = 1;     ///< stretches what was invented: back = front + thicknessScale·(invented − front)
+    float planeShift = 0;         ///< [m], mirrors only: moves the fitted plane or surface away from the camera
+    float thicknessScale = 1;     ///< back = front + thicknessScale·(invented − front)
     float minThickness = 0.002f;  ///< [m], z_back ≥ z_front + minThickness
     bool operator==(const BackSideParams&) const = default;
 };
 
+/// What the user can edit of one segment. Ranges, labels and file keys of its parameters: core/scene/params.cpp.
 struct Segment {
     std::uint16_t label = 0;  ///< value in the label image, > 0
     std::string name;         ///< unique, never empty
-    bool glossy = false;      ///< the user says: what it shows are reflections
+    bool glossy = false;      ///< its colours are reflections of the surroundings
     BackSideParams backSide;
-    std::optional<Vector3f> reflectance;  ///< set by the user: replaces the estimated ρ
-    std::optional<float> lobeWidth;       ///< set by the user: replaces the estimated GGX width, (0, 1]
-    /// Set by the user [px]: bumps and dents of the surface narrower than about this are smoothed away; 0 = none;
-    /// nullopt = follows the noise of the depth. Without the depth filter nothing is smoothed.
+    std::optional<Vector3f> reflectance;  ///< replaces the estimated ρ
+    std::optional<float> lobeWidth;       ///< replaces the estimated GGX width
+    /// Bumps and dents narrower than about this [px] are smoothed away; 0 = none, nullopt = follows the noise of the
+    /// depth. Nothing is smoothed while the depth filter is off.
     std::optional<float> smoothing;
     std::optional<Material> edit;  ///< nullopt = untouched
     bool operator==(const Segment&) const = default;
@@ -78,23 +99,38 @@ struct Segment {
 /// Joint bilateral filter of the depth map and hole handling (docs/method.md#depth).
 struct DepthFilterParams {
     bool enabled = true;
-    bool automatic = true;      ///< the three widths follow the measured noise; the values below are not used
+    bool automatic = true;      ///< the three widths follow the measured noise instead of the values below
     float spatialSigma = 2.0f;  ///< [px]
     float colorSigma = 0.1f;    ///< in display-encoded colour, [0, 1]
     float depthSigma = 0.01f;   ///< relative depth difference |Δz|/z
-    int holeRadius =
-        3;  ///< holes up to this radius [px] inside one segment continue its slope; larger ones are spanned
+    /// Holes up to this radius [px] inside one segment continue its slope; larger ones are spanned.
+    int holeRadius = 3;
     bool operator==(const DepthFilterParams&) const = default;
 };
 
-/// What a map given by the user does: takes the place of the recovered one, or fills the directions in which nothing
-/// was observed.
+/// Role of a loaded map: it replaces the recovered light, or fills the directions in which nothing was observed.
 enum class EnvironmentUse { Replace, Complete };
+template <>
+struct Words<EnvironmentUse> {
+    static constexpr Word<EnvironmentUse> table[] = {
+        {EnvironmentUse::Replace, "replace", PARAM_LABEL("scene", "Replaces the recovered light")},
+        {EnvironmentUse::Complete, "complete", PARAM_LABEL("scene", "Completes the recovered light")}};
+};
 
 /// How unobserved directions are filled (docs/method.md#environment): the paper's Shepard interpolation with angular
 /// distance, or a membrane on the sphere (Laplace's equation), which is smooth and keeps a small bright light from
 /// spreading.
 enum class EnvironmentFill { Shepard, Membrane };
+template <>
+struct Words<EnvironmentFill> {
+    static constexpr Word<EnvironmentFill> table[] = {
+        {EnvironmentFill::Membrane, "membrane", PARAM_LABEL("scene", "Smooth")},
+        {EnvironmentFill::Shepard, "shepard", PARAM_LABEL("scene", "Inverse distance (Shepard)")}};
+};
+
+/// Legal range of EnvironmentParams::height.
+inline constexpr int kMinMapRows = 4;
+inline constexpr int kMaxMapRows = 4096;
 
 /// The light: recovered from the photograph, or a map given by the user.
 struct EnvironmentParams {
@@ -104,17 +140,25 @@ struct EnvironmentParams {
     std::shared_ptr<const ImageRgb> image;  ///< loaded from `path`; latitude-longitude, camera frame
     float rotation = 0;                     ///< about the camera's y axis [rad]
     float scale = 1;                        ///< radiance factor
-    int height = 128;                       ///< rows of the recovered maps; width is twice that
+    int height = 128;  ///< rows of the recovered maps, kMinMapRows to kMaxMapRows; width is twice that
     bool operator==(const EnvironmentParams&) const = default;
 };
 
-/// How exactly light below a surface is summed over its samples (core/shading/diffusion_grid.h).
+/// Accuracy of summing light below a surface over its samples (core/shading/diffusion_grid.h).
 enum class DiffusionQuality : std::uint8_t { Draft, Standard, Fine };
+template <>
+struct Words<DiffusionQuality> {
+    static constexpr Word<DiffusionQuality> table[] = {
+        {DiffusionQuality::Draft, "draft", PARAM_LABEL("scene", "Draft")},
+        {DiffusionQuality::Standard, "standard", PARAM_LABEL("scene", "Standard")},
+        {DiffusionQuality::Fine, "fine", PARAM_LABEL("scene", "Fine")}};
+};
 
 struct RenderParams {
-    int samples = 64;      ///< paths per pixel at which accumulation stops
-    double timeLimit = 0;  ///< [s] of rendering after which it stops, too, the first picture excepted; 0 = none. For
-                           ///< the view only: a project's final picture has all samples.
+    int samples = 64;  ///< paths per pixel at which accumulation stops
+    /// Rendering time [s] after which the view stops refining, but never before its first complete picture; 0 = none.
+    /// Final pictures ignore it and have all samples.
+    double timeLimit = 0;
     std::uint32_t seed = 1;
     int bounces = 4;              ///< surfaces a path may visit; 1 = the paper
     bool filter = true;           ///< edge-aware filter of the result

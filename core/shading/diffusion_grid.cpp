@@ -252,6 +252,25 @@ DiffusionGrid buildDiffusionGrid(std::span<const Vector3f> positions, double spa
     return std::move(builder.grid);
 }
 
+Vector3f FlatSurface::exitance(const Eigen::Vector3d& sum, const Eigen::Vector3d& whole) const {
+    Vector3f result;
+    for (int c = 0; c < 3; ++c)
+        result[c] = kernel::diffusion_exitance(static_cast<float>(sum[c]), static_cast<float>(whole[c]), integral[c],
+                                               tolerance[c]);
+    return result;
+}
+
+FlatSurface flatSurface(const DiffusionProfile& profile) {
+    FlatSurface flat;
+    for (int c = 0; c < 3; ++c) {
+        const double integral = profile.integral(c);
+        if (!(integral > 0)) continue;
+        flat.integral[c] = static_cast<float>(integral);
+        flat.tolerance[c] = static_cast<float>(profile.tolerance(c));
+    }
+    return flat;
+}
+
 DiffusionKernel fitDiffusionKernel(const DiffusionProfile& profile, const DiffusionGrid& grid) {
     constexpr int kRings = 240;
     constexpr double kRelative = 0.005;  // how much single radii count beside the light of rings
@@ -261,6 +280,7 @@ DiffusionKernel fitDiffusionKernel(const DiffusionProfile& profile, const Diffus
     DiffusionKernel kernel;
     kernel.narrow.assign(count, Vector3f::Zero());
     kernel.wide.assign(count, Vector3f::Zero());
+    kernel.flat = flatSurface(profile);
 
     double narrowest = std::numeric_limits<double>::max();
     for (const std::vector<DiffusionProfile::Term>& terms : profile.terms)
@@ -273,8 +293,6 @@ DiffusionKernel fitDiffusionKernel(const DiffusionProfile& profile, const Diffus
     for (int c = 0; c < 3; ++c) {
         const double integral = profile.integral(c);
         if (!(integral > 0)) continue;
-        kernel.flatSurface[c] = static_cast<float>(integral);
-        kernel.tolerance[c] = static_cast<float>(profile.tolerance(c));
         double z = std::numeric_limits<double>::max();
         for (const DiffusionProfile::Term& t : profile.terms[static_cast<std::size_t>(c)]) z = std::min(z, t.z);
         const double farthest = std::max(grid.diameter, 2 * z);

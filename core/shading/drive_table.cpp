@@ -14,7 +14,7 @@ namespace core {
 
 namespace {
 
-/// How far clipped detail may be made up for: beyond that, more of the texture would be lost than the mean is worth.
+/// Maximum correction of the mean for clipped detail; a larger one would cost more texture than the mean is worth.
 constexpr float kMaxCorrection = 1.25f;
 
 PixelBox boxOf(const LabelImage& labels, std::uint16_t label) {
@@ -27,15 +27,15 @@ PixelBox boxOf(const LabelImage& labels, std::uint16_t label) {
 
 kernel::vec4 packed(const Vector3f& v, float w) { return {v.x(), v.y(), v.z(), w}; }
 
-/// How a drive's stored values become t.
+/// Mapping of a drive's stored values to t.
 struct Response {
     float gain = 1, stored = 0, t = 0, least = 0, greatest = 1;
 };
 
-/// Factor on clamp(1 + gain (d − 1), 0, limit) by which its mean over the detail d of the segment's pixels is 1 again.
+/// Factor on clamp(1 + gain (d − 1), 0, limit) that restores a mean of 1 over the detail d of the segment's pixels.
 float meanCorrection(const LabelImage& labels, std::uint16_t label, const PixelBox& box, const ImageF& detail,
                      float gain, float limit) {
-    // Sums over bins of 1 + gain (d − 1); only the bin in which values are clipped is not exact.
+    // Sums over bins of 1 + gain (d − 1), exact except for the bin in which values are clipped.
     constexpr std::size_t kBins = 2048;
     constexpr float kRange = 16;
     std::array<double, kBins> sums{};
@@ -72,7 +72,7 @@ float meanCorrection(const LabelImage& labels, std::uint16_t label, const PixelB
     return static_cast<float>(0.5 * (low + high));
 }
 
-/// The drives of one scene in the making.
+/// Builds the drives of one scene.
 class DriveBuilder {
   public:
     DriveBuilder(const Scene& scene, const Analysis& analysis) : labels_(scene.photo->labels), analysis_(analysis) {}
@@ -168,7 +168,7 @@ class DriveBuilder {
         return entry;
     }
 
-    /// The weight of the translucent light as a factor on the body that other surfaces see.
+    /// The weight of the translucent light as a factor on the albedo that other surfaces see.
     static kernel::Drive bodyEntry(kernel::Drive entry, const Translucency& translucency) {
         const Vector3f albedo = translucentAlbedo(translucency);
         const kernel::vec3 body(albedo.x(), albedo.y(), albedo.z());
@@ -181,8 +181,8 @@ class DriveBuilder {
     const LabelImage& labels_;
     const Analysis& analysis_;
     DriveTable table_;
-    PixelBox box_;                ///< of the segment in work
-    std::size_t firstPlane_ = 0;  ///< of the segment in work
+    PixelBox box_;                ///< of the current segment
+    std::size_t firstPlane_ = 0;  ///< of the current segment
 };
 
 }  // namespace

@@ -17,15 +17,15 @@
 namespace core {
 
 // Spatially varying edits. A segment's drives become a table (kernel::Drive) and planes of stored values, one value for
-// every pixel in the box around the segment; kernels and the reference renderer compute each driven parameter of the
-// pixel they shade from them, at every surface a path meets, so that evaluation, sampling and density agree.
+// every pixel in the box around the segment. From these, kernels and the reference renderer compute the driven
+// parameters of each pixel they shade, at every surface a path meets, so that evaluation, sampling and density agree.
 
-/// Stored values of the box around one segment; those of a mask or of the texture's detail.
+/// Stored values in the box around one segment, of a mask or of the texture detail.
 struct DrivePlane {
     std::shared_ptr<const Mask> mask;
     std::shared_ptr<const ImageF> detail;  ///< when `mask` is nullptr
     int x = 0, y = 0, width = 0, height = 0;
-    std::size_t offset = 0;  ///< of its first value among all planes'
+    std::size_t offset = 0;  ///< index of its first value among those of all planes
 
     /// Rows [first, first + rows) of the plane.
     void copyRows(int first, int rows, std::span<float> target) const;
@@ -42,12 +42,12 @@ struct DriveTable {
 };
 
 /// The drives of all edited segments; sets SegmentShading::drives, with `shading` from buildSegmentShading. Drives of
-/// parameters that the material does not have are left out, and those by luminance until the analysis knows the detail.
+/// parameters that the material lacks are left out, as are drives by luminance until the analysis has the detail.
 [[nodiscard]] DriveTable buildDrives(const Scene& scene, const Analysis& analysis,
                                      std::span<kernel::SegmentShading> shading);
 
-/// What a parameter is in every pixel of a segment, scalars three times; zero elsewhere. Throws Error(Usage) when the
-/// segment is not edited or has no such parameter.
+/// Value of a parameter in every pixel of a segment, scalars repeated three times; zero elsewhere. Throws Error(Usage)
+/// when the segment is not edited or has no such parameter.
 [[nodiscard]] ImageRgb effectiveParameter(const Scene& scene, const Analysis& analysis, const Segment& segment,
                                           std::string_view parameter);
 

@@ -33,7 +33,7 @@ Image<double> texelLuminance(const ImageRgb& radiance) {
     return result;
 }
 
-/// Interval of cumulative probabilities that `u` falls into, and where inside it.
+/// Interval of cumulative probabilities that contains `u`, and the position inside it.
 struct Interval {
     int index;
     float fraction;  ///< [0, 1)
@@ -70,7 +70,7 @@ EnvironmentSampler::EnvironmentSampler(const DirectionalMap& map) {
             excess(x / cell, y / cell) += value;
             sum += value;
         }
-    if (sum < kLeastShare * total) return;
+    if (sum < kMinShare * total) return;
 
     columns_ = columns;
     rows_ = rows;
@@ -93,7 +93,7 @@ EnvironmentSampler::EnvironmentSampler(const DirectionalMap& map) {
         before += row;
         table_[static_cast<std::size_t>(y) + 1] = static_cast<float>(y + 1 == rows ? 1.0 : std::min(before / sum, 1.0));
     }
-    // The density is that of the rounded table, which is what is sampled.
+    // Density of the rounded table, because that is the one sampled.
     density_ = ImageF(width, height);
     for (int y = 0; y < height; ++y) {
         const int r = y / cell;

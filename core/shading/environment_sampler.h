@@ -8,25 +8,24 @@
 
 namespace core {
 
-/// Where paths go on: by the surface's BRDF alone, or combined with the environment's own sampling where that pays.
+/// How paths choose their next direction: by the BRDF alone, or combined with sampling of the environment where useful.
 enum class LightSampling { Both, BrdfOnly };
 
-/// Draws directions in proportion to how much brighter than the mean an environment is there, so that small bright
-/// lights are found by more than chance; everything else is left to the sampling of the surface's BRDF ("MIS
-/// compensation", [KSVK19]). A two-dimensional inverse distribution over cells of the map, uniform in solid angle
-/// inside a cell.
+/// Draws directions in proportion to the environment's excess over its mean, to find small bright lights; everything
+/// else is left to BRDF sampling ("MIS compensation", [KSVK19]). A two-dimensional inverse distribution over cells of
+/// the map, uniform in solid angle inside a cell.
 class EnvironmentSampler {
   public:
     /// Longest side of the table; larger maps are sampled in cells of several texels.
     static constexpr int kMaxColumns = 1024;
-    /// Least share of all light that has to be brighter than the mean for the sampler to be worth its cost.
-    static constexpr double kLeastShare = 0.1;
+    /// Minimum share of all light that must exceed the mean for the sampler to pay for its cost.
+    static constexpr double kMinShare = 0.1;
 
     /// Nothing to sample.
     EnvironmentSampler() = default;
     explicit EnvironmentSampler(const DirectionalMap& map);
 
-    /// True for an environment that is dark, or smooth enough to be met by chance.
+    /// True for an environment that is dark, or smooth enough for BRDF sampling alone.
     [[nodiscard]] bool empty() const { return table_.empty(); }
 
     struct Sample {
@@ -46,7 +45,7 @@ class EnvironmentSampler {
     [[nodiscard]] int rows() const { return rows_; }
     /// Texels of the map along a cell's side; the last cells may be smaller.
     [[nodiscard]] int cellSize() const { return cellSize_; }
-    /// Mean luminance of the map, weighted by solid angle: what light may be expected from things that are met.
+    /// Mean luminance of the map, weighted by solid angle: an estimate of the light from surfaces that paths meet.
     [[nodiscard]] float meanLuminance() const { return meanLuminance_; }
 
   private:

@@ -126,7 +126,7 @@ class Filter {
     Camera camera_;
     const Surface& front_;
     ImageFilterParams params_;
-    LabelImage group_;  ///< label of the pixels that take part, else 0
+    LabelImage group_;  ///< label of the pixels that take part, otherwise 0
     ImageRgb color_;
     ImageF variance_;
 };

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/base/color.h"
@@ -19,8 +20,6 @@
 #include "shaders/shared/shading_point.h"
 
 namespace core {
-
-namespace {}  // namespace
 
 /// A surface point on a path.
 struct ReferenceRenderer::Vertex {
@@ -260,7 +259,7 @@ std::vector<Vector3f> ReferenceRenderer::irradiance(const SurfaceSamples& sample
             const Vector3f value = follow(vertex, {id, static_cast<std::uint32_t>(j), seed});
             if (kernel::path_valid(toKernel(value))) sum += value.cast<double>();
         }
-        if (rays > 0) result[static_cast<std::size_t>(i)] = (sum * (M_PI / rays)).cast<float>();
+        if (rays > 0) result[static_cast<std::size_t>(i)] = (sum * (std::numbers::pi / rays)).cast<float>();
     });
     return result;
 }
@@ -273,18 +272,13 @@ ImageRgb ReferenceRenderer::translucentRadiosity(const SurfaceSamples& samples, 
     ImageRgb result(layers_->camera.width, layers_->camera.height, Vector3f::Zero());
     if (samples.samples.empty()) return result;
     const std::vector<float> areas = sampleAreas(samples, samples.samples.size());
-    Vector3f flatSurface;
-    Vector3f tolerance;
-    for (int c = 0; c < 3; ++c) {
-        flatSurface[c] = static_cast<float>(profile.integral(c));
-        tolerance[c] = static_cast<float>(profile.tolerance(c));
-    }
+    const FlatSurface flat = flatSurface(profile);
     parallelFor(progress, result.height(), [&](int y) {
         for (int x = 0; x < result.width(); ++x) {
             if (layers_->labels(x, y) != label || !(front.depth(x, y) > 0)) continue;
             const Vector3f p = front.position(x, y);
             Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-            Eigen::Vector3d whole = Eigen::Vector3d::Zero();  // of samples that all have an irradiance of 1
+            Eigen::Vector3d whole = Eigen::Vector3d::Zero();  // the sum if all samples had an irradiance of 1
             for (std::size_t i = 0; i < irradiance.size(); ++i) {
                 const double r2 = (p - samples.samples[i].position).cast<double>().squaredNorm();
                 for (int c = 0; c < 3; ++c) {
@@ -293,9 +287,7 @@ ImageRgb ReferenceRenderer::translucentRadiosity(const SurfaceSamples& samples, 
                     whole[c] += weight;
                 }
             }
-            for (int c = 0; c < 3; ++c)
-                result(x, y)[c] = kernel::diffusion_exitance(
-                    static_cast<float>(sum[c] / M_PI), static_cast<float>(whole[c]), flatSurface[c], tolerance[c]);
+            result(x, y) = flat.exitance(sum / std::numbers::pi, whole);
         }
     });
     return result;

@@ -12,7 +12,7 @@
 namespace core {
 
 /// Shading of every label (index = label; label 0 and labels without a segment end paths). An edited segment uses its
-/// material; a glossy unedited one GGX of its estimated width and ρ; both let paths go on.
+/// material, a glossy unedited one GGX with its estimated width and ρ; both continue paths.
 [[nodiscard]] std::vector<kernel::SegmentShading> buildSegmentShading(const Scene& scene, const Analysis& analysis);
 
 /// 1 for every label whose segment is edited.
@@ -21,7 +21,7 @@ namespace core {
 /// Specular colour of a segment when its material does not choose one: the user's ρ, the estimated one, or white.
 [[nodiscard]] Vector3f specularOf(const Segment& segment, const Analysis& analysis);
 
-/// Albedo of a translucent body as other surfaces see it, where its weight is 1.
+/// Albedo of a translucent body for light reflected to other surfaces, at weight 1.
 [[nodiscard]] Vector3f translucentAlbedo(const Translucency& translucency);
 
 }  // namespace core

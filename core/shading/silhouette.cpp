@@ -10,13 +10,19 @@
 namespace core {
 namespace {
 
-constexpr int kOuterRings = 2;            // optics and resampling spread an edge further than one pixel
-constexpr int kSearchRadius = 4;          // for a clean colour [px]
-constexpr float kLeastContrast = 0.1f;    // relative difference of F and B below which the label is believed instead
-constexpr float kPureDifference = 0.03f;  // relative difference from a pure colour that texture makes
-constexpr float kLeastShare = 1.0f / 64;
-constexpr int kLabelRadius = 4;       // of the labels' Gaussian mean [px]
-constexpr float kLabelSigma = 1.25f;  // [px]
+/// Mixed pixels outside the label [px]: optics and resampling spread an edge over more than one pixel.
+constexpr int kOuterRings = 2;
+/// Radius of the search for a clean colour [px].
+constexpr int kSearchRadius = 4;
+/// Relative difference of F and B below which the label decides.
+constexpr float kMinContrast = 0.1f;
+/// Relative difference from a pure colour caused by texture.
+constexpr float kPureDifference = 0.03f;
+/// Smallest share of either side in a mixed pixel.
+constexpr float kMinShare = 1.0f / 64;
+/// Radius and standard deviation of the labels' Gaussian mean [px].
+constexpr int kLabelRadius = 4;
+constexpr float kLabelSigma = 1.25f;
 
 /// z for which a share `p` in (0, 1) of a normal distribution lies below z (Abramowitz and Stegun 26.2.23, error below
 /// 4.5e-4).
@@ -118,18 +124,42 @@ class Outline {
     std::uint16_t label_;
 };
 
-/// a of C = a F + (1 − a) B, drawn towards `expected` where the colours do not tell, or where a pure colour at
+/// a of C = a F + (1 − a) B, drawn towards `expected` where the colours are inconclusive, or where a pure colour at
 /// `pureDistance` (squared) explains C as well.
 float mixture(const Vector3f& c, const Vector3f& f, const Vector3f& b, float expected, float pureDistance) {
     const Vector3f difference = f - b;
     const float contrast = difference.squaredNorm();
-    const float doubt = kLeastContrast * kLeastContrast * (f.squaredNorm() + b.squaredNorm());
+    const float doubt = kMinContrast * kMinContrast * (f.squaredNorm() + b.squaredNorm());
     if (!(contrast > 0)) return expected;
     const float fitted = std::clamp((c - b).dot(difference) / contrast, 0.0f, 1.0f);
     const float residual = (c - b - fitted * difference).squaredNorm();
     const float ratio = (doubt + 4 * residual) / contrast;
     const float pure = kPureDifference * kPureDifference * (f.squaredNorm() + b.squaredNorm());
     return expected + (fitted - expected) * pureDistance / (pureDistance + pure) / (1 + ratio * ratio);
+}
+
+/// Pixel (x, y) as a mixed pixel; nullopt when it is pure, or when one side has no clean colour nearby.
+std::optional<SilhouettePixel> mixedPixel(const ImageRgb& photo, const Outline& outline, int x, int y,
+                                          CoverageFrom from) {
+    const bool inside = outline.inside(x, y);
+    const int rings = inside ? 1 : kOuterRings;
+    if (outline.clean(x, y, rings, inside)) return std::nullopt;
+    auto inner = outline.nearestClean(x, y, 2, true);
+    if (!inner) inner = outline.nearestClean(x, y, 1, true);
+    const auto outer = outline.nearestClean(x, y, kOuterRings, false);
+    if (!inner || !outer) return std::nullopt;
+    const Vector3f& c = photo(x, y);
+    const Vector3f& f = photo(inner->x(), inner->y());
+    const Vector3f& b = photo(outer->x(), outer->y());
+    const float a = from == CoverageFrom::Labels
+                        ? outline.coverage(x, y)
+                        : mixture(c, f, b, inside ? 1.0f : 0.0f, outline.distanceToPure(photo, x, y, rings, inside));
+    if (inside ? a > 1 - kMinShare : a < kMinShare) return std::nullopt;
+    const Vector3f background = (1 - a) * b;
+    if (inside) return SilhouettePixel{x, y, x, y, a, background, (1 - a) * (c - b)};
+    if (from == CoverageFrom::Labels)
+        return SilhouettePixel{x, y, inner->x(), inner->y(), a, background, c - a * f - background};
+    return SilhouettePixel{x, y, inner->x(), inner->y(), a, (c - a * f).cwiseMax(0.0f), Vector3f::Zero()};
 }
 
 }  // namespace
@@ -146,29 +176,9 @@ std::vector<SilhouettePixel> findSilhouette(const ImageRgb& photo, const LabelIm
          y <= std::min(box.max().y() + kOuterRings, labels.height() - 1); ++y) {
         for (int x = std::max(box.min().x() - kOuterRings, 0);
              x <= std::min(box.max().x() + kOuterRings, labels.width() - 1); ++x) {
-            const bool inside = outline.inside(x, y);
             const std::uint16_t other = labels(x, y);
-            if (!inside && (other == label || (other < edited.size() && edited[other] != 0))) continue;
-            if (outline.clean(x, y, inside ? 1 : kOuterRings, inside)) continue;
-            auto inner = outline.nearestClean(x, y, 2, true);
-            if (!inner) inner = outline.nearestClean(x, y, 1, true);
-            const auto outer = outline.nearestClean(x, y, kOuterRings, false);
-            if (!inner || !outer) continue;
-            const Vector3f& c = photo(x, y);
-            const Vector3f& f = photo(inner->x(), inner->y());
-            const Vector3f& b = photo(outer->x(), outer->y());
-            const float a = from == CoverageFrom::Labels
-                                ? outline.coverage(x, y)
-                                : mixture(c, f, b, inside ? 1.0f : 0.0f,
-                                          outline.distanceToPure(photo, x, y, inside ? 1 : kOuterRings, inside));
-            if (inside ? a > 1 - kLeastShare : a < kLeastShare) continue;
-            const Vector3f background = (1 - a) * b;
-            if (inside)
-                result.push_back({x, y, x, y, a, background, (1 - a) * (c - b)});
-            else if (from == CoverageFrom::Labels)
-                result.push_back({x, y, inner->x(), inner->y(), a, background, c - a * f - background});
-            else
-                result.push_back({x, y, inner->x(), inner->y(), a, (c - a * f).cwiseMax(0.0f), Vector3f::Zero()});
+            if (!outline.inside(x, y) && (other == label || (other < edited.size() && edited[other] != 0))) continue;
+            if (const auto mixed = mixedPixel(photo, outline, x, y, from)) result.push_back(*mixed);
         }
     }
     return result;

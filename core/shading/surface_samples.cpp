@@ -31,7 +31,7 @@ std::uint64_t hilbertIndex(std::uint32_t x, std::uint32_t y) {
 
 /// Number i of the van der Corput sequence, Owen-scrambled by the hash of [LK11] (improved constants), in [0, 1).
 double scrambledVanDerCorput(std::uint32_t i, std::uint32_t seed) {
-    // Scrambling nested from the highest digit on is hashing from the lowest on of the bits in reverse, which is i.
+    // Nested scrambling from the highest digit equals hashing the reversed bits from the lowest; reversed, they are i.
     std::uint32_t v = i;
     v ^= v * 0x3d20adeaU;
     v += seed;
@@ -59,7 +59,7 @@ SurfaceSamples sampleSurface(const Analysis& analysis, const LabelImage& labels,
     std::sort(pixels.begin(), pixels.end(), [&](std::uint32_t a, std::uint32_t b) { return code(a) < code(b); });
 
     SurfaceSamples result;
-    std::vector<double> cumulative;  // over front, then back
+    std::vector<double> cumulative;  // areas of front, then back
     cumulative.reserve(2 * pixels.size());
     const Surface* const layers[] = {analysis.front.get(), analysis.back.get()};
     for (const Surface* layer : layers)
@@ -100,7 +100,8 @@ std::vector<float> sampleAreas(const SurfaceSamples& samples, std::size_t count)
     for (const std::uint32_t i : samples.order)
         if (i < count) along.push_back(i);
     std::vector<float> areas(count, 0.0f);
-    const auto border = [&](std::size_t k) {  // between number k-1 and number k along the curve
+    // Border between samples k-1 and k along the curve.
+    const auto border = [&](std::size_t k) {
         if (k == 0) return 0.0;
         if (k == along.size()) return 1.0;
         return 0.5 * (samples.samples[along[k - 1]].curve + samples.samples[along[k]].curve);

@@ -15,7 +15,7 @@ struct SurfaceSample {
     bool back = false;  ///< on the invented back side
     Vector3f position;  ///< [m]
     Vector3f normal;    ///< unit, outward
-    double curve = 0;   ///< place on the curve that sampling follows, in [0, 1); equal lengths are equal areas
+    double curve = 0;   ///< position on the sampling curve, in [0, 1); equal lengths are equal areas
 };
 
 /// Points on front and back of a segment, each surface element equally likely.
@@ -23,7 +23,7 @@ struct SurfaceSamples {
     std::vector<SurfaceSample> samples;
     std::vector<std::uint32_t> order;  ///< samples along the curve
     double area = 0;                   ///< [m²], front and back together: the Ã of docs/method.md#translucency
-    /// What one sample stands for on average [m²]; 0 when there is none.
+    /// Mean area per sample [m²]; 0 without samples.
     [[nodiscard]] double areaPerSample() const {
         return samples.empty() ? 0.0 : area / static_cast<double>(samples.size());
     }
@@ -31,13 +31,13 @@ struct SurfaceSamples {
 
 /// Draws `count` points from the pixels of `label`, front and back, exactly in proportion to patch area: an
 /// Owen-scrambled van der Corput sequence through the inverse distribution along a Hilbert curve over the picture.
-/// Progressive: the first n of any larger set are the set of n, and spread evenly over the surface. Deterministic by
+/// Progressive: the first n of a larger set equal the set of n and cover the surface evenly. Deterministic by
 /// `seed`. Empty when the segment has no area.
 [[nodiscard]] SurfaceSamples sampleSurface(const Analysis& analysis, const LabelImage& labels, std::uint16_t label,
                                            int count, std::uint32_t seed);
 
-/// What each of the first `count` samples stands for [m²]: the part of the curve that is nearer to it than to any other
-/// of them. The sum is `samples.area`; less noise than equal parts, above all where count is no power of two.
+/// Area of each of the first `count` samples [m²]: the part of the curve that is nearer to it than to the others. The
+/// sum is `samples.area`; gives less noise than equal parts, above all where count is not a power of two.
 [[nodiscard]] std::vector<float> sampleAreas(const SurfaceSamples& samples, std::size_t count);
 
 }  // namespace core

@@ -12,13 +12,18 @@
 #include <vector>
 
 #include "gpu/bind_group.h"
+#include "gpu/detail/descriptor_pools.h"
 #include "gpu/detail/object.h"
 #include "gpu/detail/resources.h"
 #include "gpu/detail/spirv_reflect.h"
 #include "gpu/pipeline.h"
 #include "gpu/shader_module.h"
 
-namespace gpu::detail {
+namespace gpu {
+
+struct RenderPassColorAttachment;  // gpu/command_encoder.h
+
+namespace detail {
 
 class ShaderModuleImpl final : public Object {
   public:
@@ -68,27 +73,30 @@ class BindGroupImpl final : public Object {
     void write();
 };
 
+/// Stages that see the immediates of a pipeline layout: all, as in WebGPU.
+inline constexpr VkShaderStageFlags kImmediateStages =
+    VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
+
 class PipelineLayoutImpl final : public Object {
   public:
     PipelineLayoutImpl(DeviceImpl& device, std::string label,
                        std::vector<std::shared_ptr<BindGroupLayoutImpl>> bindGroupLayouts,
-                       std::uint32_t pushConstantBytes, ShaderStage pushConstantShaderStages);
+                       std::uint32_t immediateBytes);
     ~PipelineLayoutImpl() override { release(); }
     void release() noexcept override;
 
     VkPipelineLayout vk = VK_NULL_HANDLE;
     std::vector<std::shared_ptr<BindGroupLayoutImpl>> groups;
-    std::uint32_t pushConstantSize = 0;
-    ShaderStage pushConstantStages = ShaderStage::None;
+    std::uint32_t immediateSize = 0;
 };
 
-/// The layout a pipeline's shaders ask for.
+/// The layout that a pipeline's shaders need.
 [[nodiscard]] std::shared_ptr<PipelineLayoutImpl> deriveLayout(DeviceImpl& device, const std::string& label,
                                                                const std::vector<const ShaderModuleImpl*>& modules);
 /// Throws unless the layout offers what the module needs.
 void requireLayoutFits(const PipelineLayoutImpl& layout, const ShaderModuleImpl& module, const std::string& pipeline);
 
-/// Specialization constants in Vulkan's form; valid as long as this object stays where it is.
+/// Specialization constants in Vulkan's form. Not movable, because the form points into the object.
 class Specialization {
   public:
     Specialization(const std::vector<ConstantEntry>& constants, const ShaderModuleImpl& module,
@@ -118,14 +126,14 @@ class ComputePipelineImpl final : public Object {
     ~ComputePipelineImpl() override { release(); }
     void release() noexcept override;
 
-    /// Waits for a pipeline that is being compiled. Throws what compiling it failed with.
+    /// Waits while the pipeline is being compiled. Throws the error of a failed compilation.
     [[nodiscard]] VkPipeline compiled();
 
     std::shared_ptr<PipelineLayoutImpl> layout;
     std::array<std::uint32_t, 3> workgroupSize = {1, 1, 1};
 
   private:
-    /// What the compiler reads; lives until it is done.
+    /// Input of the compiler; lives until compilation ends.
     struct Source {
         std::shared_ptr<ShaderModuleImpl> module;
         Specialization specialization;
@@ -149,6 +157,10 @@ class RenderPipelineImpl final : public Object {
     std::vector<TextureFormat> targets;  // empty with an external target
     bool external = false;
     std::uint32_t vertexBufferCount = 0;
+
+  private:
+    void create(const RenderPipelineDescriptor& descriptor, const ShaderModuleImpl& vertex,
+                const ShaderModuleImpl& fragment);
 };
 
 /// A Vulkan render pass for attachments of these formats, all in GENERAL.
@@ -156,4 +168,6 @@ class RenderPipelineImpl final : public Object {
                                             const std::vector<RenderPassColorAttachment>* attachments,
                                             const std::string& label);
 
-}  // namespace gpu::detail
+}  // namespace detail
+
+}  // namespace gpu

@@ -9,93 +9,6 @@
 
 namespace gpu::detail {
 
-CommandBufferImpl::CommandBufferImpl(DeviceImpl& owner, std::string name) : Object(owner, std::move(name)) {
-    vk = owner.allocateCommandBuffer(label());
-    VkCommandBufferBeginInfo info = {};
-    info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-    info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    try {
-        owner.check(vkBeginCommandBuffer(vk, &info), "vkBeginCommandBuffer", label());
-    } catch (...) {
-        release();
-        throw;
-    }
-    waitForEarlierWork();
-}
-
-CommandBufferImpl::CommandBufferImpl(DeviceImpl& owner, std::string name, VkCommandBuffer adoptedBuffer)
-    : Object(owner, std::move(name)), vk(adoptedBuffer), adopted(true) {
-    waitForEarlierWork();
-}
-
-void CommandBufferImpl::waitForEarlierWork() {
-    const VkMemoryBarrier barrier = {VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_MEMORY_WRITE_BIT,
-                                     VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT};
-    vkCmdPipelineBarrier(vk, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 1, &barrier, 0,
-                         nullptr, 0, nullptr);
-}
-
-void CommandBufferImpl::release() noexcept {
-    if (vk == VK_NULL_HANDLE) return;
-    if (!adopted) device().freeCommandBuffer(vk);
-    vk = VK_NULL_HANDLE;
-}
-
-void CommandBufferImpl::use(BufferImpl& buffer, const Access& access) {
-    keep(buffer);
-    tracker_.use(&buffer, 0, access);
-    if (buffer.mappable()) {
-        mappable_.insert(&buffer);
-        if (adopted) buffer.lastFrame = frame;
-        hostReads_ = hostReads_ || (access.write && has(buffer.usage, BufferUsage::MapRead));
-    }
-}
-
-void CommandBufferImpl::use(TextureImpl& texture, std::uint32_t mipLevel, const Access& access) {
-    keep(texture);
-    tracker_.use(&texture, mipLevel, access);
-}
-
-void CommandBufferImpl::end() {
-    if (hostReads_) {
-        const VkMemoryBarrier barrier = {VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_TRANSFER_WRITE_BIT,
-                                         VK_ACCESS_HOST_READ_BIT};
-        vkCmdPipelineBarrier(vk, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0, nullptr,
-                             0, nullptr);
-    }
-    if (!adopted) device().check(vkEndCommandBuffer(vk), "vkEndCommandBuffer", label());
-}
-
-void CommandBufferImpl::requireNothingMapped() const {
-    for (const BufferImpl* buffer : mappable_) {
-        require(buffer->mapState == BufferMapState::Unmapped, "Buffer ", quoted(buffer->label()),
-                " is mapped or about to be; unmap it before submitting commands that use it (", quoted(label()), ").");
-    }
-}
-
-void CommandBufferImpl::markSubmitted(std::uint64_t serial) {
-    submitted = true;
-    for (BufferImpl* buffer : mappable_) buffer->lastSubmission = serial;
-}
-
-void writeThroughQueue(BufferImpl& buffer, std::uint64_t offset, const void* data, std::size_t size) {
-    constexpr std::size_t kPiece = std::size_t{32} << 20;
-    DeviceImpl& device = buffer.device();
-    const auto* bytes = static_cast<const std::byte*>(data);
-    for (std::size_t done = 0; done < size;) {
-        const std::size_t piece = std::min(kPiece, size - done);
-        const DeviceImpl::Staging staging = device.stage(piece);
-        std::memcpy(staging.data, bytes + done, piece);
-        CommandBufferImpl& writes = device.pendingWrites();
-        writes.use(buffer, kCopyWrite);
-        writes.barrier();
-        const VkBufferCopy region = {staging.offset, offset + done, piece};
-        vkCmdCopyBuffer(writes.vk, staging.buffer->vk, buffer.vk, 1, &region);
-        done += piece;
-        device.limitStagedBytes(4 * kPiece);
-    }
-}
-
 void UsageScope::requireNoConflict(const std::string& where) const {
     for (std::size_t i = 0; i < uses_.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
@@ -148,15 +61,15 @@ void BindingState::setBindGroup(std::uint32_t index, const BindGroup& handle,
     commands.keep(group);
 }
 
-void BindingState::setPushConstants(const void* data, std::size_t size, const std::string& pass) {
-    require(layout_ != nullptr, "Pass ", quoted(pass), " sets push constants before a pipeline.");
-    const std::size_t declared = layout_->pushConstantSize;
-    require(size <= kMaxPushConstantSize, "Pass ", quoted(pass), " sets ", size, " bytes of push constants; ",
-            kMaxPushConstantSize, " are allowed.");
-    require(size >= declared && size <= (declared + 15) / 16 * 16, "Pass ", quoted(pass), " sets ", size,
-            " bytes of push constants; the pipeline's shader declares ", declared, ".");
-    std::memcpy(pushConstants_.data(), data, size);
-    pushConstantsSet_ = size;
+void BindingState::setImmediates(std::uint32_t rangeOffset, const void* data, std::size_t size,
+                                 const std::string& pass) {
+    require(rangeOffset % 4 == 0 && size % 4 == 0, "Pass ", quoted(pass), " sets ", size,
+            " bytes of immediates at byte ", rangeOffset, "; both must be multiples of 4.");
+    require(size <= kMaxImmediateSize && rangeOffset <= kMaxImmediateSize - size, "Pass ", quoted(pass), " sets ", size,
+            " bytes of immediates at byte ", rangeOffset, "; ", kMaxImmediateSize, " bytes are allowed in all.");
+    if (size == 0) return;
+    std::memcpy(immediates_.data() + rangeOffset, data, size);
+    for (std::size_t word = rangeOffset / 4; word < (rangeOffset + size) / 4; ++word) immediatesSet_.set(word);
 }
 
 void BindingState::requireComplete(const std::string& pipeline) const {
@@ -183,8 +96,10 @@ void BindingState::requireComplete(const std::string& pipeline) const {
                     quoted(pipeline), " needs ", want.minBindingSize, ".");
         }
     }
-    require(pushConstantsSet_ >= layout_->pushConstantSize, "Pipeline ", quoted(pipeline), " needs ",
-            layout_->pushConstantSize, " bytes of push constants; ", pushConstantsSet_, " are set.");
+    for (std::uint32_t byte = 0; byte < layout_->immediateSize; byte += 4) {
+        require(immediatesSet_.test(byte / 4), "Pipeline ", quoted(pipeline), " needs ", layout_->immediateSize,
+                " bytes of immediates; byte ", byte, " is not set.");
+    }
 }
 
 void BindingState::collectUses(UsageScope& scope) const {
@@ -225,8 +140,7 @@ BindingState::Snapshot BindingState::snapshot() const {
         result.dynamicOffsets.insert(result.dynamicOffsets.end(), slots_[i].dynamicOffsets.begin(),
                                      slots_[i].dynamicOffsets.end());
     }
-    result.pushConstants.assign(pushConstants_.begin(), pushConstants_.begin() + layout_->pushConstantSize);
-    result.pushConstantStages = toVulkan(layout_->pushConstantStages);
+    result.immediates.assign(immediates_.begin(), immediates_.begin() + layout_->immediateSize);
     return result;
 }
 
@@ -236,9 +150,9 @@ void BindingState::Snapshot::record(VkCommandBuffer commandBuffer, VkPipelineBin
         vkCmdBindDescriptorSets(commandBuffer, bindPoint, layout, set.index, 1, &set.vk, set.dynamicCount, offsets);
         offsets += set.dynamicCount;
     }
-    if (!pushConstants.empty()) {
-        vkCmdPushConstants(commandBuffer, layout, pushConstantStages, 0,
-                           static_cast<std::uint32_t>(pushConstants.size()), pushConstants.data());
+    if (!immediates.empty()) {
+        vkCmdPushConstants(commandBuffer, layout, kImmediateStages, 0, static_cast<std::uint32_t>(immediates.size()),
+                           immediates.data());
     }
 }
 

@@ -4,6 +4,7 @@
 #include <vulkan/vulkan.h>
 
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -16,51 +17,12 @@
 
 #include "gpu/command_encoder.h"
 #include "gpu/detail/bindings.h"
+#include "gpu/detail/command_buffer.h"
+#include "gpu/detail/device_impl.h"
 #include "gpu/detail/object.h"
 #include "gpu/detail/usage_tracker.h"
 
 namespace gpu::detail {
-
-/// A Vulkan command buffer, what it uses, and what happens when it has run.
-class CommandBufferImpl final : public Object {
-  public:
-    CommandBufferImpl(DeviceImpl& device, std::string label);
-    /// Records into a command buffer that somebody else began and will submit.
-    CommandBufferImpl(DeviceImpl& device, std::string label, VkCommandBuffer adopted);
-    ~CommandBufferImpl() override { release(); }
-    void release() noexcept override;
-
-    /// Keeps an object alive until the commands have run.
-    void keep(Object& object) { kept_.insert(object.shared_from_this()); }
-    void use(BufferImpl& buffer, const Access& access);
-    void use(TextureImpl& texture, std::uint32_t mipLevel, const Access& access);
-    /// Records the barrier for the uses noted since the last command.
-    void barrier() { tracker_.flush(vk); }
-    /// Ends recording; on an adopted command buffer only makes results visible to the host.
-    void end();
-    /// Throws when a buffer this uses is mapped or about to be.
-    void requireNothingMapped() const;
-    void markSubmitted(std::uint64_t serial);
-    /// Lets go of everything the commands used.
-    void releaseUsed() { kept_.clear(); }
-
-    VkCommandBuffer vk = VK_NULL_HANDLE;
-    const bool adopted = false;
-    bool submitted = false;
-    std::uint64_t frame = 0;  ///< number of the adopted frame; 0 for others
-    std::vector<std::function<void()>> onCompleted;
-
-  private:
-    void waitForEarlierWork();
-
-    UsageTracker tracker_;
-    std::unordered_set<std::shared_ptr<Object>> kept_;
-    std::unordered_set<BufferImpl*> mappable_;
-    bool hostReads_ = false;
-};
-
-/// Copies data into a buffer before the next submission, in pieces of the staging memory's size.
-void writeThroughQueue(BufferImpl& buffer, std::uint64_t offset, const void* data, std::size_t size);
 
 /// One use of a resource by a dispatch or a render pass.
 struct ResourceUse {
@@ -72,8 +34,8 @@ struct ResourceUse {
     std::uint32_t binding = 0;
 };
 
-/// Uses of one scope (a dispatch, a render pass), checked for WebGPU's rule: written by one binding, it is not read by
-/// another.
+/// Uses of one scope (a dispatch, a render pass). Checks WebGPU's rule that a resource written through one binding is
+/// not read through another.
 class UsageScope {
   public:
     void add(const ResourceUse& use) { uses_.push_back(use); }
@@ -85,7 +47,7 @@ class UsageScope {
     std::vector<ResourceUse> uses_;
 };
 
-/// Groups, dynamic offsets and push constants as they are set on a pass.
+/// Groups, dynamic offsets and immediates as they are set on a pass.
 class BindingState {
   public:
     explicit BindingState(DeviceImpl& device) : device_(device) {}
@@ -93,12 +55,12 @@ class BindingState {
     void setPipelineLayout(std::shared_ptr<PipelineLayoutImpl> layout);
     void setBindGroup(std::uint32_t index, const BindGroup& group, std::span<const std::uint32_t> dynamicOffsets,
                       CommandBufferImpl& commands);
-    void setPushConstants(const void* data, std::size_t size, const std::string& pass);
+    void setImmediates(std::uint32_t rangeOffset, const void* data, std::size_t size, const std::string& pass);
     /// Throws unless everything the pipeline needs is set and fits.
     void requireComplete(const std::string& pipeline) const;
     void collectUses(UsageScope& scope) const;
 
-    /// What has to be bound, detached from this object.
+    /// Everything to bind, detached from this object.
     struct Snapshot {
         VkPipelineLayout layout = VK_NULL_HANDLE;
         struct Set {
@@ -108,8 +70,7 @@ class BindingState {
         };
         std::vector<Set> sets;  // groups without entries are left out
         std::vector<std::uint32_t> dynamicOffsets;
-        std::vector<std::byte> pushConstants;
-        VkShaderStageFlags pushConstantStages = 0;
+        std::vector<std::byte> immediates;
         void record(VkCommandBuffer commandBuffer, VkPipelineBindPoint bindPoint) const;
     };
     [[nodiscard]] Snapshot snapshot() const;
@@ -123,8 +84,8 @@ class BindingState {
     DeviceImpl& device_;
     std::shared_ptr<PipelineLayoutImpl> layout_;
     std::vector<Slot> slots_;
-    std::array<std::byte, kMaxPushConstantSize> pushConstants_ = {};
-    std::size_t pushConstantsSet_ = 0;
+    std::array<std::byte, kMaxImmediateSize> immediates_ = {};
+    std::bitset<kMaxImmediateSize / 4> immediatesSet_;  ///< per word
 };
 
 class CommandEncoderImpl {
@@ -166,8 +127,8 @@ class CommandEncoderImpl {
     [[nodiscard]] CommandBufferImpl& commands() const { return *commands_; }
 
     void writeTimestamp(QuerySetImpl& querySet, std::uint32_t index, VkPipelineStageFlagBits stage);
-    /// Nothing after it begins before everything before it has ended. Software drivers write a timestamp only when they
-    /// wait, that is, after later dispatches unless there is a barrier in between.
+    /// Orders all later commands after all earlier ones. Software drivers write a timestamp only when they wait, so
+    /// without a barrier it would include later dispatches.
     void executionBarrier();
 
     bool passOpen = false;

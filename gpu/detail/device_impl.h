@@ -4,9 +4,6 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
-#include <deque>
-#include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +12,10 @@
 #include <vector>
 
 #include "gpu/adapter.h"
+#include "gpu/detail/debug_labels.h"
+#include "gpu/detail/descriptor_pools.h"
+#include "gpu/detail/device_memory.h"
+#include "gpu/detail/in_flight.h"
 #include "gpu/detail/instance_impl.h"
 #include "gpu/detail/object.h"
 #include "gpu/detail/pipeline_compiler.h"
@@ -22,24 +23,10 @@
 
 namespace gpu::detail {
 
-/// One allocation of device memory.
-struct Allocation {
-    VkDeviceMemory memory = VK_NULL_HANDLE;
-    VkDeviceSize size = 0;
-    VkMemoryPropertyFlags flags = 0;
-    bool counted = false;
-};
-
-/// A descriptor set and the pool it came from.
-struct DescriptorSet {
-    VkDescriptorSet set = VK_NULL_HANDLE;
-    VkDescriptorPool pool = VK_NULL_HANDLE;
-};
-
-/// Owns the Vulkan device (unless adopted), what is in flight on its queue, and the bookkeeping of lifetimes.
+/// Owns the Vulkan device (unless adopted) and what belongs to it as a whole: error scopes, the loss of the device, the
+/// list of its objects. Memory, descriptor sets, work in flight and debug labels are members with files of their own.
 ///
-/// Completion is known in two ways: by the fence of a submission, and, for frames somebody else submits, by their slot
-/// beginning again. Both release what the commands used and make callbacks ready; callbacks run from `runReady` only.
+/// Belongs to one thread at a time, as do all objects of the device. Only jobs of the compiler run elsewhere.
 class DeviceImpl : public std::enable_shared_from_this<DeviceImpl> {
   public:
     struct Source {
@@ -63,16 +50,21 @@ class DeviceImpl : public std::enable_shared_from_this<DeviceImpl> {
 
     [[nodiscard]] VkDevice vk() const { return source_.device; }
     [[nodiscard]] VkPhysicalDevice physicalDevice() const { return source_.physicalDevice; }
+    [[nodiscard]] VkQueue queue() const { return source_.queue; }
+    [[nodiscard]] std::uint32_t queueFamily() const { return source_.queueFamily; }
     [[nodiscard]] const std::string& label() const { return source_.label; }
     [[nodiscard]] const AdapterInfo& info() const { return info_; }
     [[nodiscard]] const Limits& limits() const { return limits_; }
     [[nodiscard]] bool adopted() const { return !source_.owned; }
     [[nodiscard]] bool lost() const { return lost_; }
     [[nodiscard]] bool destroyed() const { return destroyed_; }
-    [[nodiscard]] std::uint64_t allocatedBytes() const { return allocatedBytes_; }
     [[nodiscard]] std::uint32_t timestampBits() const { return timestampBits_; }
     [[nodiscard]] VkPipelineCache pipelineCache() const { return pipelineCache_; }
     [[nodiscard]] PipelineCompiler& compiler() { return compiler_; }
+    [[nodiscard]] const DebugLabels& labels() const { return labels_; }
+    [[nodiscard]] DeviceMemory& memory() { return memory_; }
+    [[nodiscard]] DescriptorPools& descriptorPools() { return descriptorPools_; }
+    [[nodiscard]] InFlight& inFlight() { return inFlight_; }
 
     /// Throws when the device is lost or destroyed.
     void requireUsable() const;
@@ -102,121 +94,30 @@ class DeviceImpl : public std::enable_shared_from_this<DeviceImpl> {
     void remove(Object* object) { live_.erase(object); }
     void destroy();
 
-    // Memory.
-    [[nodiscard]] Allocation allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags required,
-                                      VkMemoryPropertyFlags preferred, bool counted, const std::string& what);
-    void free(Allocation& allocation) noexcept;
-    [[nodiscard]] DescriptorSet allocateDescriptorSet(VkDescriptorSetLayout layout, const std::string& label);
-
-    // Commands.
-    [[nodiscard]] VkCommandBuffer allocateCommandBuffer(const std::string& label);
-    void freeCommandBuffer(VkCommandBuffer commandBuffer) noexcept;
-    /// Writes and clears that run before the next submission or adopted frame.
-    [[nodiscard]] CommandBufferImpl& pendingWrites();
-    /// Room for `size` bytes in host memory the device can read, kept until the pending writes have run.
-    struct Staging {
-        BufferImpl* buffer = nullptr;
-        VkDeviceSize offset = 0;
-        std::byte* data = nullptr;
-    };
-    [[nodiscard]] Staging stage(VkDeviceSize size);
-    void submit(const std::vector<std::shared_ptr<CommandBufferImpl>>& commandBuffers);
-    void flushPendingWrites();
-    /// Blocks while more than `bytes` of staged data have not reached the device.
-    void limitStagedBytes(VkDeviceSize bytes);
-
-    // Completion.
-    void beginAdoptedFrame(std::uint32_t slot, std::shared_ptr<CommandBufferImpl> recording);
-    /// Everything begun up to and including this slot's frame has completed.
-    void completeSlot(std::uint32_t slot);
-    void completeFrames(std::uint64_t number);
-    /// `callback(true)` once these have completed, `callback(false)` if they never will.
-    void whenDone(std::uint64_t submission, std::uint64_t frame, std::function<void(bool done)> callback);
-    [[nodiscard]] std::uint64_t lastSubmission() const { return lastSubmitted_; }
-    [[nodiscard]] std::uint64_t lastFrame() const { return lastFrame_; }
-    void reclaim();
-    void runReady();
-    void waitIdle();
-
-    // Debug labels.
-    void setName(VkObjectType type, std::uint64_t handle, const std::string& name) const;
-    void beginLabel(VkCommandBuffer commandBuffer, const std::string& label) const;
-    void endLabel(VkCommandBuffer commandBuffer) const;
-    void insertLabel(VkCommandBuffer commandBuffer, const std::string& label) const;
-
   private:
-    struct Submission {
-        std::uint64_t serial = 0;
-        VkFence fence = VK_NULL_HANDLE;
-        VkDeviceSize stagedBytes = 0;
-        std::vector<std::shared_ptr<CommandBufferImpl>> commandBuffers;
-    };
-    struct Frame {
-        std::uint64_t number = 0;
-        std::vector<std::shared_ptr<CommandBufferImpl>> recordings;
-    };
-    struct Waiter {
-        std::uint64_t serial = 0;
-        std::uint64_t frame = 0;
-        std::function<void(bool)> callback;
-    };
     struct Scope {
         ErrorFilter filter;
         std::optional<Error> error;
     };
 
     void markLost(const std::string& message);
-    void complete(CommandBufferImpl& recording);
-
-    void wakeWaiters();
-    void abandonAll();
     void releaseAll() noexcept;
-    [[nodiscard]] VkFence acquireFence();
 
     Source source_;
     AdapterInfo info_;
     Limits limits_;
     std::uint32_t timestampBits_ = 0;
-    VkPhysicalDeviceMemoryProperties memory_ = {};
-    VkCommandPool commandPool_ = VK_NULL_HANDLE;
+    /// Declared before the members that own objects, because objects remove themselves from it.
+    std::unordered_set<Object*> live_;
+    std::vector<Scope> scopes_;
+    DebugLabels labels_;
+    DeviceMemory memory_;
+    DescriptorPools descriptorPools_;
+    InFlight inFlight_;
     VkPipelineCache pipelineCache_ = VK_NULL_HANDLE;
     PipelineCompiler compiler_;
-    std::vector<VkDescriptorPool> descriptorPools_;
-    std::vector<VkFence> freeFences_;
-
-    std::unordered_set<Object*> live_;
-    std::uint64_t allocatedBytes_ = 0;
-    std::vector<Scope> scopes_;
     bool lost_ = false;
     bool destroyed_ = false;
-
-    std::shared_ptr<CommandBufferImpl> pending_;
-    std::shared_ptr<BufferImpl> stagingBlock_;
-    VkDeviceSize stagingUsed_ = 0;
-    VkDeviceSize pendingStagedBytes_ = 0;
-    std::deque<Submission> inFlight_;
-    std::uint64_t lastSubmitted_ = 0;
-    std::uint64_t lastCompleted_ = 0;
-    std::map<std::uint32_t, Frame> frames_;
-    std::uint64_t lastFrame_ = 0;
-    std::uint64_t lastCompletedFrame_ = 0;
-    std::vector<Waiter> waiters_;
-    std::deque<std::function<void()>> ready_;
-
-    PFN_vkSetDebugUtilsObjectNameEXT setObjectName_ = nullptr;
-    PFN_vkCmdBeginDebugUtilsLabelEXT cmdBeginLabel_ = nullptr;
-    PFN_vkCmdEndDebugUtilsLabelEXT cmdEndLabel_ = nullptr;
-    PFN_vkCmdInsertDebugUtilsLabelEXT cmdInsertLabel_ = nullptr;
 };
-
-/// A non-dispatchable or dispatchable handle as a number, for labels.
-template <class T>
-[[nodiscard]] std::uint64_t handleNumber(T handle) {
-    if constexpr (std::is_pointer_v<T>) {
-        return static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(handle));
-    } else {
-        return handle;
-    }
-}
 
 }  // namespace gpu::detail

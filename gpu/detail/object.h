@@ -13,7 +13,7 @@ class DeviceImpl;
 
 /// Owner of Vulkan handles that belong to a device.
 ///
-/// Two kinds of references keep it alive: handles of the user (`makeHandle`), which keep the device alive as well, and
+/// Two kinds of references keep it alive: user handles (`makeHandle`), which keep the device alive as well, and
 /// recorded or submitted command buffers, which do not: the device owns those, and a reference back would be a cycle.
 class Object : public std::enable_shared_from_this<Object> {
   public:
@@ -33,7 +33,7 @@ class Object : public std::enable_shared_from_this<Object> {
     std::string label_;
 };
 
-/// A user's reference to an object: it keeps the device alive too, and lets go of the object first.
+/// A user's reference to an object: also keeps the device alive, and releases the object first.
 template <class T>
 [[nodiscard]] std::shared_ptr<T> makeHandle(std::shared_ptr<DeviceImpl> device, std::shared_ptr<T> object) {
     struct Holder {

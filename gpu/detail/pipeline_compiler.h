@@ -13,7 +13,7 @@
 
 namespace gpu::detail {
 
-/// Compiles pipelines on a thread of its own, in the order they were asked for.
+/// Compiles pipelines on a thread of its own, in order of request.
 class PipelineCompiler {
   public:
     /// Calls Vulkan only: no object of this library may be touched from the thread.
@@ -26,7 +26,7 @@ class PipelineCompiler {
 
     [[nodiscard]] std::future<VkResult> start(Job job);
     [[nodiscard]] bool busy() const { return unfinished_ > 0; }
-    /// Drops what has not begun (its future is VK_NOT_READY) and waits for the rest.
+    /// Drops jobs that have not begun (their futures become VK_NOT_READY) and waits for the rest.
     void stop();
 
   private:

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "gpu/buffer.h"
-#include "gpu/detail/device_impl.h"
+#include "gpu/detail/device_memory.h"
 #include "gpu/detail/object.h"
+#include "gpu/query_set.h"
 #include "gpu/sampler.h"
 #include "gpu/texture.h"
 
@@ -19,7 +20,7 @@ namespace gpu::detail {
 
 class BufferImpl final : public Object {
   public:
-    /// `staging` buffers are memory of the library: mapped and not counted.
+    /// `staging` buffers belong to the library: mapped, and not counted.
     BufferImpl(DeviceImpl& device, const BufferDescriptor& descriptor, bool staging);
     ~BufferImpl() override { release(); }
     void release() noexcept override;
@@ -38,13 +39,11 @@ class BufferImpl final : public Object {
     std::uint64_t size = 0;
     BufferUsage usage = BufferUsage::None;
     BufferMapState mapState = BufferMapState::Unmapped;
-    std::uint64_t lastSubmission = 0;  ///< that used it; kept for buffers the host can map
+    std::uint64_t lastSubmission = 0;  ///< last one that used the buffer; only for mappable buffers
     std::uint64_t lastFrame = 0;
 
   private:
     void createMemory(bool staging);
-    void flushHostWrites();
-    void invalidateHostReads();
 
     Allocation allocation_;
     std::byte* host_ = nullptr;  // the whole buffer, mapped for as long as it lives
@@ -53,7 +52,7 @@ class BufferImpl final : public Object {
     std::uint64_t mapSize_ = 0;
     std::uint64_t mapRequest_ = 0;
     BufferMapCallback mapCallback_;
-    std::vector<std::byte> creationData_;  // of a buffer mapped at creation that the host cannot reach
+    std::vector<std::byte> creationData_;  // contents of a buffer mapped at creation but not host-visible
 };
 
 class TextureImpl final : public Object {
@@ -62,7 +61,7 @@ class TextureImpl final : public Object {
     ~TextureImpl() override { release(); }
     void release() noexcept override;
 
-    /// Brings a new texture into its layout and zeroes it before the next submission.
+    /// Transitions a new texture to its layout and zeroes it before the next submission.
     void zero();
     [[nodiscard]] std::uint32_t mipWidth(std::uint32_t level) const;
     [[nodiscard]] std::uint32_t mipHeight(std::uint32_t level) const;
@@ -105,7 +104,7 @@ class QuerySetImpl final : public Object {
     ~QuerySetImpl() override { release(); }
     void release() noexcept override;
 
-    /// Seconds between two timestamps that have been written and completed; negative when they are not available.
+    /// Seconds between two timestamps that have been written and completed; negative when not available.
     [[nodiscard]] double secondsBetween(std::uint32_t first, std::uint32_t second) const;
 
     VkQueryPool vk = VK_NULL_HANDLE;

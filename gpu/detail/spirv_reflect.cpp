@@ -65,7 +65,7 @@ enum StorageClass : std::uint32_t { kUniformConstant = 0, kUniform = 2, kPushCon
 
 using Decorations = std::map<std::uint32_t, std::uint32_t>;  // decoration -> first operand, or 0
 
-/// Parses the module into tables by id, then answers questions about them.
+/// Parses the module into tables by id, then collects the reflection from them.
 class Parser {
   public:
     Parser(std::span<const std::uint32_t> words, const std::string& label) : words_(words), label_(label) {}
@@ -144,82 +144,76 @@ class Parser {
                       count, " are needed");
     }
 
-    void readInstruction(std::uint32_t op, std::span<const std::uint32_t> w) {
-        switch (op) {
-            case kOpName:
-                needs(w, 2);
-                names_[w[0]] = literal(w.subspan(1));
-                break;
-            case kOpMemberName:
-                needs(w, 3);
-                memberNames_[{w[0], w[1]}] = literal(w.subspan(2));
-                break;
-            case kOpEntryPoint:
-                needs(w, 3);
-                readEntryPoint(w[0], literal(w.subspan(2)));
-                break;
-            case kOpExecutionMode:
-                needs(w, 2);
-                if (w[1] == kLocalSize) {
-                    needs(w, 5);
-                    result_.workgroupSize = {w[2], w[3], w[4]};
-                }
-                break;
-            case kOpCapability:
-                needs(w, 1);
-                result_.capabilities.push_back(w[0]);
-                break;
-            case kOpTypeBool:
-            case kOpTypeInt:
-            case kOpTypeFloat:
-            case kOpTypeVector:
-            case kOpTypeMatrix:
-            case kOpTypeImage:
-            case kOpTypeSampler:
-            case kOpTypeSampledImage:
-            case kOpTypeArray:
-            case kOpTypeRuntimeArray:
-            case kOpTypeStruct:
-            case kOpTypePointer:
-                needs(w, op == kOpTypeImage                                                 ? 8
-                         : op == kOpTypeStruct || op <= kOpTypeBool || op == kOpTypeSampler ? 1
-                                                                                            : 2);
-                types_[w[0]] = {op, {w.begin() + 1, w.end()}};
-                break;
-            case kOpConstant:
-            case kOpConstantComposite:
-            case kOpSpecConstantTrue:
-            case kOpSpecConstantFalse:
-            case kOpSpecConstant:
-            case kOpSpecConstantComposite:
-                needs(w, 2);
-                constants_[w[1]] = {op, w[0], {w.begin() + 2, w.end()}};
-                break;
-            case kOpFunction:
-                requireModule(!insideFunction_, "is damaged: a function begins inside another");
-                insideFunction_ = true;
-                break;
-            case kOpFunctionEnd:
-                insideFunction_ = false;
-                break;
-            case kOpVariable:
-                needs(w, 3);
-                variables_.push_back({w[1], w[0], w[2]});
-                break;
-            case kOpDecorate:
-                needs(w, 2);
-                decorations_[w[0]][w[1]] = w.size() > 2 ? w[2] : 0;
-                break;
-            case kOpMemberDecorate:
-                needs(w, 3);
-                members_[w[0]][w[1]][w[2]] = w.size() > 3 ? w[3] : 0;
-                break;
-            default:
-                break;
-        }
+    using Operands = std::span<const std::uint32_t>;
+
+    /// How an instruction is read; those without a row are skipped.
+    struct Instruction {
+        Op op;
+        std::size_t minOperands;
+        void (Parser::*read)(Op op, Operands w);
+    };
+
+    void readInstruction(std::uint32_t op, Operands w) {
+        static constexpr Instruction kInstructions[] = {
+            {kOpName, 2, &Parser::readName},
+            {kOpMemberName, 3, &Parser::readMemberName},
+            {kOpEntryPoint, 3, &Parser::readEntryPoint},
+            {kOpExecutionMode, 2, &Parser::readExecutionMode},
+            {kOpCapability, 1, &Parser::readCapability},
+            {kOpTypeBool, 1, &Parser::readType},
+            {kOpTypeInt, 2, &Parser::readType},
+            {kOpTypeFloat, 2, &Parser::readType},
+            {kOpTypeVector, 2, &Parser::readType},
+            {kOpTypeMatrix, 2, &Parser::readType},
+            {kOpTypeImage, 8, &Parser::readType},
+            {kOpTypeSampler, 1, &Parser::readType},
+            {kOpTypeSampledImage, 2, &Parser::readType},
+            {kOpTypeArray, 2, &Parser::readType},
+            {kOpTypeRuntimeArray, 2, &Parser::readType},
+            {kOpTypeStruct, 1, &Parser::readType},
+            {kOpTypePointer, 2, &Parser::readType},
+            {kOpConstant, 2, &Parser::readConstant},
+            {kOpConstantComposite, 2, &Parser::readConstant},
+            {kOpSpecConstantTrue, 2, &Parser::readConstant},
+            {kOpSpecConstantFalse, 2, &Parser::readConstant},
+            {kOpSpecConstant, 2, &Parser::readConstant},
+            {kOpSpecConstantComposite, 2, &Parser::readConstant},
+            {kOpFunction, 0, &Parser::readFunction},
+            {kOpFunctionEnd, 0, &Parser::readFunctionEnd},
+            {kOpVariable, 3, &Parser::readVariable},
+            {kOpDecorate, 2, &Parser::readDecoration},
+            {kOpMemberDecorate, 3, &Parser::readMemberDecoration},
+        };
+        const auto row = std::ranges::find(kInstructions, op, &Instruction::op);
+        if (row == std::end(kInstructions)) return;
+        needs(w, row->minOperands);
+        (this->*row->read)(row->op, w);
     }
 
-    void readEntryPoint(std::uint32_t model, const std::string& name) {
+    void readName(Op, Operands w) { names_[w[0]] = literal(w.subspan(1)); }
+    void readMemberName(Op, Operands w) { memberNames_[{w[0], w[1]}] = literal(w.subspan(2)); }
+    void readCapability(Op, Operands w) { result_.capabilities.push_back(w[0]); }
+    void readType(Op op, Operands w) { types_[w[0]] = {op, {w.begin() + 1, w.end()}}; }
+    void readConstant(Op op, Operands w) { constants_[w[1]] = {op, w[0], {w.begin() + 2, w.end()}}; }
+    void readVariable(Op, Operands w) { variables_.push_back({w[1], w[0], w[2]}); }
+    void readDecoration(Op, Operands w) { decorations_[w[0]][w[1]] = w.size() > 2 ? w[2] : 0; }
+    void readMemberDecoration(Op, Operands w) { members_[w[0]][w[1]][w[2]] = w.size() > 3 ? w[3] : 0; }
+    void readFunctionEnd(Op, Operands) { insideFunction_ = false; }
+
+    void readFunction(Op, Operands) {
+        requireModule(!insideFunction_, "is damaged: a function begins inside another");
+        insideFunction_ = true;
+    }
+
+    void readExecutionMode(Op, Operands w) {
+        if (w[1] != kLocalSize) return;
+        needs(w, 5);
+        result_.workgroupSize = {w[2], w[3], w[4]};
+    }
+
+    void readEntryPoint(Op, Operands w) {
+        const std::uint32_t model = w[0];
+        const std::string name = literal(w.subspan(2));
         ++entryPoints_;
         requireModule(model == 0 || model == 4 || model == 5, "has execution model ", model,
                       "; vertex, fragment or compute is expected");
@@ -240,9 +234,9 @@ class Parser {
         return found->second.operands[0];
     }
 
-    /// Bytes without padding at the end; 0 for an array without a length.
+    /// Bytes without trailing padding; 0 for an array without a length.
     std::uint32_t sizeOf(std::uint32_t id, const Decorations& member, int depth = 0) {
-        requireModule(depth < 32, "is damaged: types are nested too deep");
+        requireModule(depth < 32, "is damaged: types are nested too deeply");
         const Type& type = typeOf(id);
         switch (type.op) {
             case kOpTypeInt:
@@ -287,7 +281,7 @@ class Parser {
         return layout;
     }
 
-    /// Bytes a binding must have: up to the last member, with one element of an array without a length.
+    /// Minimum bytes of a binding: up to its last member, counting one element of an array without a length.
     std::uint64_t minBindingSize(std::uint32_t id) {
         const Type& type = typeOf(id);
         std::uint64_t size = sizeOf(id, {});
@@ -302,7 +296,8 @@ class Parser {
         return size;
     }
 
-    /// Whether a decoration is on the variable, or on all members of its block (as glslang writes `readonly buffer`).
+    /// True if the variable, or every member of its block, has a decoration (glslang writes `readonly buffer` that
+    /// way).
     bool decorated(std::uint32_t variable, std::uint32_t typeId, std::uint32_t decoration) {
         if (decorations_[variable].contains(decoration)) return true;
         const Type& type = typeOf(typeId);
@@ -324,7 +319,7 @@ class Parser {
         const std::uint32_t typeId = pointer.operands[1];
         const Type& type = typeOf(typeId);
         if (variable.storageClass == kPushConstant) {
-            result_.pushConstantSize = std::max(result_.pushConstantSize, sizeOf(typeId, {}));
+            result_.immediateSize = std::max(result_.immediateSize, sizeOf(typeId, {}));
             return;
         }
         const Decorations& decorations = decorations_[variable.id];

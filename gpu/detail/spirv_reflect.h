@@ -31,20 +31,20 @@ struct ReflectedConstant {
     ConstantKind kind = ConstantKind::Float;
 };
 
-/// What a SPIR-V module with one entry point says about itself.
+/// Interface of a SPIR-V module with one entry point.
 struct Reflection {
     ShaderStage stage = ShaderStage::None;
     std::vector<ReflectedBinding> bindings;  ///< by set, then binding
     std::vector<BlockLayout> structs;        ///< every struct with member offsets
-    std::uint32_t pushConstantSize = 0;
+    std::uint32_t immediateSize = 0;
     std::vector<ReflectedConstant> constants;
     std::array<std::uint32_t, 3> workgroupSize = {1, 1, 1};
     std::array<std::optional<std::uint32_t>, 3> workgroupSizeConstants;  ///< constant_id of a dimension
     std::vector<std::uint32_t> capabilities;
 };
 
-/// Throws Error(Validation) naming `label` for what is not such a module, or uses what this library does not offer
-/// (arrays of descriptors, images that are not two-dimensional).
+/// Throws Error(Validation) naming `label` for anything else, and for features this library does not offer (arrays of
+/// descriptors, images that are not two-dimensional).
 [[nodiscard]] Reflection reflectSpirv(std::span<const std::uint32_t> words, const std::string& label);
 
 }  // namespace gpu::detail

@@ -29,13 +29,13 @@ inline constexpr Access kAttachmentWrite = {VK_PIPELINE_STAGE_COLOR_ATTACHMENT_O
 
 /// Finds the memory barriers a command buffer needs between its own commands.
 ///
-/// State is kept per buffer and per mip level, for one command buffer. What happened before it (other submissions, the
-/// frames of an adopted device, in whatever order they were recorded) is covered by the full barrier every command
-/// buffer begins with, so no state outlives the recording. All images stay in VK_IMAGE_LAYOUT_GENERAL, which leaves no
+/// State is kept per buffer and per mip level, for one command buffer. Earlier work (other submissions, frames of an
+/// adopted device, in whatever order they were recorded) is covered by the full barrier at the start of every command
+/// buffer, so no state outlives the recording. All images stay in VK_IMAGE_LAYOUT_GENERAL, which leaves no
 /// layout to track and lets plain memory barriers do.
 class UsageTracker {
   public:
-    /// Notes that the next command touches a resource, and what it has to wait for.
+    /// Notes that the next command touches a resource, and which earlier uses it must wait for.
     void use(const void* resource, std::uint32_t subresource, const Access& access) {
         State& state = states_[Key{resource, subresource}];
         if (access.write) {
@@ -80,9 +80,9 @@ class UsageTracker {
     };
     struct State {
         Access write = {};                       ///< last write, if stages is not 0
-        VkPipelineStageFlags visibleStages = 0;  ///< that have waited for it
+        VkPipelineStageFlags visibleStages = 0;  ///< stages that have waited for `write`
         VkAccessFlags visibleAccess = 0;
-        VkPipelineStageFlags readStages = 0;  ///< of reads since
+        VkPipelineStageFlags readStages = 0;  ///< stages of reads since `write`
     };
 
     void wait(VkPipelineStageFlags stages, VkAccessFlags writes, const Access& next) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/detail/vulkan_map.h"
 
+#include "gpu/detail/text.h"
+
 namespace gpu::detail {
 
 VkFormat toVulkan(TextureFormat format) {
@@ -194,6 +196,27 @@ const char* toString(VkResult result) {
             return "VK_ERROR_OUT_OF_POOL_MEMORY";
         default:
             return "an unknown Vulkan error";
+    }
+}
+
+std::string failureMessage(VkResult result, const char* call, const std::string& label) {
+    return text(call, " for ", quoted(label), " fails: ", toString(result), ".");
+}
+
+void requireSuccess(VkResult result, const char* call, const std::string& label) {
+    switch (result) {
+        case VK_SUCCESS:
+            return;
+        case VK_ERROR_DEVICE_LOST:
+            throw Error(ErrorKind::DeviceLost, failureMessage(result, call, label));
+        case VK_ERROR_OUT_OF_HOST_MEMORY:
+        case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+        case VK_ERROR_TOO_MANY_OBJECTS:
+        case VK_ERROR_OUT_OF_POOL_MEMORY:
+        case VK_ERROR_MEMORY_MAP_FAILED:
+            throw Error(ErrorKind::OutOfMemory, failureMessage(result, call, label));
+        default:
+            throw Error(ErrorKind::Internal, failureMessage(result, call, label));
     }
 }
 

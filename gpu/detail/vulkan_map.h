@@ -3,6 +3,8 @@
 
 #include <vulkan/vulkan.h>
 
+#include <string>
+
 #include "gpu/types.h"
 
 namespace gpu::detail {
@@ -21,6 +23,10 @@ namespace gpu::detail {
 [[nodiscard]] VkBlendFactor toVulkan(BlendFactor factor);
 /// The name of a result, for example "VK_ERROR_DEVICE_LOST".
 [[nodiscard]] const char* toString(VkResult result);
+/// Message of a failed call: its name, the label of its object, the result.
+[[nodiscard]] std::string failureMessage(VkResult result, const char* call, const std::string& label);
+/// Throws the Error a failed result means. Calls that may lose the device go through DeviceImpl::check instead.
+void requireSuccess(VkResult result, const char* call, const std::string& label);
 
 [[nodiscard]] constexpr bool isBuffer(BindingType type) {
     return type == BindingType::UniformBuffer || type == BindingType::StorageBuffer ||

@@ -8,18 +8,21 @@
 
 #include "gpu/adapter.h"
 #include "gpu/instance.h"
+#include "render/analysis/depth_filter_pass.h"
+#include "render/analysis/fill_shepard_pass.h"
+#include "render/analysis/fit_surface_pass.h"
 #include "render/analysis/march_rays.h"
-#include "render/passes/analysis_passes.h"
+#include "render/analysis/relax_membrane_pass.h"
 #include "render/scene_geometry.h"
 #include "render/slice_runner.h"
 
 namespace render {
 namespace {
 
-constexpr std::uint64_t kLeastRays = 1 << 12;  // of a first slice
-constexpr std::uint64_t kMostRays = 1 << 18;
+constexpr std::uint64_t kMinRays = 1 << 12;  // in a first slice
+constexpr std::uint64_t kMaxRays = 1 << 18;  // in any slice
 
-/// Made when it is first asked for.
+/// A `T` that is made at its first use.
 template <class T>
 class Lazy {
   public:
@@ -34,14 +37,14 @@ class Lazy {
     std::optional<T> value_;
 };
 
-/// Geometry and the kernel that marches through it.
+/// A scene on the device and the kernel that marches rays through it.
 struct Marching {
     explicit Marching(const gpu::Device& device) : geometry(device), marcher(device, geometry) {}
     SceneGeometry geometry;
     RayMarcher marcher;
 };
 
-/// Layers of a single empty pixel: what is uploaded in place of a picture that is no longer needed.
+/// Layers of a single empty pixel, uploaded in place of a picture that is no longer needed.
 core::DepthLayers emptyLayers() {
     core::DepthLayers layers;
     layers.camera.width = layers.camera.height = 1;
@@ -56,7 +59,7 @@ struct GpuAnalysisKernels::Impl {
     explicit Impl(const gpu::Device& d)
         : device(d), slices(d), filter(d), surface(d), membrane(d), shepard(d), marching(d) {}
 
-    /// `onDevice`, or `onCpu` when that fails for the device's sake.
+    /// Result of `onDevice`, or of `onCpu` when the device fails.
     template <class OnDevice, class OnCpu>
     auto attempt(const char* what, const OnDevice& onDevice, const OnCpu& onCpu) {
         if (!failed) {
@@ -82,7 +85,7 @@ struct GpuAnalysisKernels::Impl {
     Lazy<RelaxMembranePass> membrane;
     Lazy<FillShepardPass> shepard;
     Lazy<Marching> marching;
-    bool failed = false;  ///< nothing more is asked of the device
+    bool failed = false;  ///< the device is no longer used
     core::Notes notes;
 };
 
@@ -132,8 +135,7 @@ class GpuAnalysisKernels::Impl::Marcher : public RayMarcher {
             }
             std::vector<std::optional<core::MarchHit>> hits(rays.size());
             impl_->slices.run(
-                progress, "march_rays", rays.size(), kLeastRays, kMostRays,
-                [&](std::uint64_t first, std::uint64_t count) {
+                progress, "march_rays", rays.size(), kMinRays, kMaxRays, [&](std::uint64_t first, std::uint64_t count) {
                     const std::vector<RayHit> found =
                         marching.marcher.march(rays.subspan(first, count), MarchMethod::Pyramid, {},
                                                without == 0 ? -1.0f : static_cast<float>(without));
@@ -151,7 +153,7 @@ class GpuAnalysisKernels::Impl::Marcher : public RayMarcher {
     }
 
   private:
-    /// The picture's layers are a large part of a device's memory: a smallest one takes their place.
+    /// Replaces the picture by the smallest one, because its layers take much of the device's memory.
     void release() { impl_->marching.get().geometry.setPatches(emptyLayers()); }
 
     std::shared_ptr<Impl> impl_;

@@ -10,15 +10,15 @@
 
 namespace render {
 
-/// core::AnalysisKernels on a device of its own, the twins of the CPU's. Differences between the two
-/// are those of rounding: a device may fuse, reorder and approximate what the CPU does in one order, and a comparison
-/// may tip over where two sides are all but equal. tests/gpu/analysis_kernels_test.cpp states how much.
+/// core::AnalysisKernels on a device of its own, twins of those on the CPU. Results differ by rounding: a device may
+/// fuse, reorder and approximate operations, and a comparison of nearly equal numbers may then go the other way.
+/// tests/gpu/analysis_kernels_test.cpp states the bounds.
 ///
-/// When a call of the device fails (no memory, device lost), the piece is done by the CPU, with a note; without memory
-/// the next piece tries the device again, after anything else the CPU does all.
+/// When a call fails on the device (no memory, device lost), the CPU repeats it, with a note. After a lack of memory
+/// later calls try the device again; after any other failure the CPU does the rest.
 class GpuAnalysisKernels : public core::AnalysisKernels {
   public:
-    /// Nothing is compiled before it is needed. The device belongs to the thread that runs the analysis.
+    /// Compiles each kernel at its first use. The device belongs to the thread that runs the analysis.
     explicit GpuAnalysisKernels(const gpu::Device& device);
     ~GpuAnalysisKernels() override;
 
@@ -38,8 +38,8 @@ class GpuAnalysisKernels : public core::AnalysisKernels {
     std::shared_ptr<Impl> impl_;
 };
 
-/// Who computes the dear pieces of the analysis. Automatic: the device when it is a real one; on a software device the
-/// "GPU" is the same cores with more overhead, so the CPU's own code is the better one.
+/// Which processor runs the expensive stages of the analysis. Automatic: the device, unless it is a software device,
+/// which is the same cores with more overhead.
 enum class AnalysisTwin { Automatic, Cpu, Gpu };
 
 /// "auto", "cpu" or "gpu"; throws core::Error(Usage) that names `origin` for anything else.
@@ -47,7 +47,7 @@ enum class AnalysisTwin { Automatic, Cpu, Gpu };
 /// PATINA_ANALYSIS, Automatic when unset or empty; throws as `parseAnalysisTwin`.
 [[nodiscard]] AnalysisTwin analysisTwinFromEnvironment();
 
-/// Kernels for this choice on a device of their own, chosen as gpu::Instance::requestAdapter does; nullptr = the CPU's.
+/// Kernels for this choice on a device of their own, which gpu::Instance::requestAdapter chooses; nullptr = the CPU's.
 /// Throws gpu::Error only for Gpu; Automatic takes the CPU when there is no device.
 [[nodiscard]] std::unique_ptr<core::AnalysisKernels> createAnalysisKernels(AnalysisTwin twin,
                                                                            const std::string& deviceWish);

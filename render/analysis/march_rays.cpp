@@ -2,9 +2,9 @@
 #include "render/analysis/march_rays.h"
 
 #include <algorithm>
-#include <chrono>
 #include <thread>
 
+#include "core/base/clock.h"
 #include "gpu/adapter.h"
 #include "gpu/pass_timer.h"
 #include "gpu/readback.h"
@@ -16,9 +16,9 @@
 namespace render {
 namespace {
 
-/// Rays that a workgroup marches one after the other: more, and fewer lanes wait for the last ones; as long as there
-/// are workgroups for the whole device. Not so many that a workgroup takes long, or that software drivers, which end
-/// loops after 65535 turns in all, would.
+/// Rays per workgroup, marched one after the other. With more rays fewer lanes wait for the last ones, as long as there
+/// are workgroups for the whole device. The limit keeps a workgroup short and below the 65535 iterations after which
+/// software drivers end loops.
 std::uint32_t shareOf(std::uint32_t rayCount, bool software) {
     return std::clamp(rayCount / (software ? 256 : 4096), 2 * kListGroupSize, 16 * kListGroupSize);
 }
@@ -56,8 +56,8 @@ std::vector<RayHit> RayMarcher::march(std::span<const Ray> rays, MarchMethod met
     const auto rayCount = static_cast<std::uint32_t>(rays.size());
     const bool software = device_.adapterInfo().type == gpu::AdapterType::CPU;
     const std::uint32_t share = method == MarchMethod::Pyramid ? shareOf(rayCount, software) : kListGroupSize;
-    // Software drivers give each thread an equal part of the workgroups, one after the other: with neighbouring shares
-    // in different parts, all have as much to do and read what the others have just read.
+    // Software drivers give each thread an equal run of workgroups. With neighbouring shares in different runs, all
+    // threads have equal work and read what others have just read.
     const std::uint32_t workers = software ? std::max(std::thread::hardware_concurrency(), 1u) : 1;
     const std::uint32_t groupsPerWorker = ((rayCount + share - 1) / share + workers - 1) / workers;
     const kernel::MarchBlock block{.rayCount = rayCount,
@@ -77,16 +77,16 @@ std::vector<RayHit> RayMarcher::march(std::span<const Ray> rays, MarchMethod met
         pass.setPipeline(method == MarchMethod::Pyramid ? pyramid_ : constantSteps_);
         pass.setBindGroup(0, geometry_.bindGroup());
         pass.setBindGroup(1, group);
-        pass.setPushConstants(block);
+        pass.setImmediates(0, block);
         const ListGroups groups = listGroups(workers * groupsPerWorker * kListGroupSize, device_.limits());
         pass.dispatchWorkgroups(groups.x, groups.y);
         pass.end();
     }
     device_.waitIdle();
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = core::Clock::now();
     device_.queue().submit(encoder.finish());
     device_.waitIdle();
-    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    seconds_ = core::secondsSince(start);
     for (const gpu::PassTimer::Timing& timing : timer.takeResults()) seconds_ = timing.seconds;
 
     const auto values = gpu::readBuffer<kernel::vec4>(device_, hitBuffer, 0, rays.size());

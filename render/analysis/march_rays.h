@@ -28,14 +28,14 @@ struct ConstantStepParams {
 };
 
 /// Marches a list of rays through the scene on the device, for the analysis, the benchmark and the tests. The
-/// renderer's kernels take the same steps (shaders/lib/march.glsl), one ray per lane at a time; here a lane takes the
-/// next ray when one has ended.
+/// renderer's kernels take the same steps (shaders/lib/march.glsl) with one ray per lane at a time; here a lane takes
+/// the next ray when one has ended.
 class RayMarcher {
   public:
-    /// The geometry must be recorded already, and outlive the marcher.
+    /// The geometry must have been recorded and has to outlive the marcher.
     RayMarcher(const gpu::Device& device, SceneGeometry& geometry);
 
-    /// Blocks until the hits are there, in the order of the rays. A ray whose direction is zero hits nothing. Pixels
+    /// Hits in the order of the rays; blocks until they are found. A ray whose direction is zero hits nothing. Pixels
     /// marked `without` (see SceneGeometry) count as empty for the pyramid; −1 = none.
     [[nodiscard]] std::vector<RayHit> march(std::span<const Ray> rays, MarchMethod method,
                                             const ConstantStepParams& steps = {}, float without = -1);

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 
+#include "core/base/clock.h"
 #include "core/base/error.h"
 #include "gpu/error.h"
 #include "gpu/instance.h"
@@ -24,8 +24,8 @@ namespace render {
 
 namespace {
 
-constexpr std::uint32_t kBuildSamples = 4096;  // of a case: they shape the cells
-constexpr std::uint32_t kTestSamples = 8192;   // and are then counted
+constexpr std::uint32_t kBuildSamples = 4096;  // per case, to shape the cells
+constexpr std::uint32_t kTestSamples = 8192;   // per case, to be counted in them
 constexpr std::uint32_t kSamples = kBuildSamples + kTestSamples;
 constexpr int kLevels = 9;
 constexpr std::uint32_t kCells = 1U << kLevels;
@@ -33,11 +33,11 @@ constexpr std::uint32_t kCellsPerBin = 8;
 constexpr std::uint32_t kSide = 6;
 constexpr double kPoints = kSide * kSide;
 
-constexpr double kTolerance = 0.02;        // of the density and of energy: what quadrature and float may miss
+constexpr double kTolerance = 0.02;        // error of density and energy by quadrature and float
 constexpr double kMaxDeviation = 6;        // standard deviations
-constexpr double kDispatchSeconds = 0.1;   // aimed at
-constexpr double kMaxSeconds = 5;          // of all dispatches
-constexpr std::uint32_t kFirstItems = 64;  // one workgroup: shows how long an item takes
+constexpr double kDispatchSeconds = 0.1;   // intended duration of a dispatch
+constexpr double kMaxSeconds = 5;          // limit for all dispatches
+constexpr std::uint32_t kFirstItems = 64;  // one workgroup, to measure the cost of an item
 
 struct Case {
     core::Material material;
@@ -58,7 +58,7 @@ std::string number(double value) {
     return text.data();
 }
 
-/// Initial values from several directions; each parameter's ends, and all ends together, from two.
+/// Initial values from several directions; each parameter's limits, and all limits together, from two.
 std::vector<Case> makeCases(const core::BrdfInfo& brdf, const std::shared_ptr<const core::BrdfFile>& file) {
     core::Material initial = file ? core::fileMaterial(file) : core::defaultMaterial(brdf);
     initial.albedo = core::Vector3f::Ones();
@@ -107,7 +107,7 @@ class Runner {
         std::vector<std::uint32_t> userCode;
         if (file && file->user) userCode = compileUserKernel(UserKernel::CheckBrdf, {file->user});
         const gpu::PipelineLayout pipelineLayout = device.createPipelineLayout(
-            {.label = "check_brdf", .bindGroupLayouts = {layout, tables}, .pushConstantSize = sizeof(block_)});
+            {.label = "check_brdf", .bindGroupLayouts = {layout, tables}, .immediateSize = sizeof(block_)});
         const gpu::ShaderModule module = device.createShaderModule(
             {.label = "check_brdf",
              .code = userCode.empty() ? std::span<const std::uint32_t>(check_brdf_spv) : userCode});
@@ -129,11 +129,12 @@ class Runner {
                                                      {.binding = CHECK_BRDF_CELLS, .buffer = cells_},
                                                      {.binding = CHECK_BRDF_SAMPLES, .buffer = samples_},
                                                      {.binding = CHECK_BRDF_SUMS, .buffer = sums_}}});
-        if (file && file->measured) static_cast<void>(measured_.use({file->measured}));
-        tableGroup_ =
-            device.createBindGroup({.label = "check_brdf tables",
-                                    .layout = tables,
-                                    .entries = {{.binding = MEASURED_TABLES, .buffer = measured_.buffer(device)}}});
+        MeasuredFiles files;
+        if (file && file->measured) files.push_back(file->measured);
+        tableGroup_ = device.createBindGroup(
+            {.label = "check_brdf tables",
+             .layout = tables,
+             .entries = {{.binding = MEASURED_TABLES, .buffer = measured_.upload(device, files)}}});
     }
 
     [[nodiscard]] std::vector<kernel::CheckBrdfSample> sample() {
@@ -149,7 +150,7 @@ class Runner {
     }
 
   private:
-    /// In pieces, so that none takes long, whatever the text does.
+    /// Splits the work, so that every dispatch is short, whatever the text does.
     void run(std::uint32_t mode, std::uint32_t perCase) {
         const std::uint32_t total = caseCount_ * perCase;
         std::uint32_t piece = kFirstItems;
@@ -182,14 +183,14 @@ class Runner {
         pass.setPipeline(pipeline_);
         pass.setBindGroup(0, group_);
         pass.setBindGroup(1, tableGroup_);
-        pass.setPushConstants(block_);
+        pass.setImmediates(0, block_);
         const ListGroups groups = listGroups(count, device_.limits());
         pass.dispatchWorkgroups(groups.x, groups.y);
         pass.end();
-        const auto start = std::chrono::steady_clock::now();
+        const auto start = core::Clock::now();
         device_.queue().submit(encoder.finish());
         device_.waitIdle();
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return core::secondsSince(start);
     }
 
     gpu::Device device_;
@@ -203,7 +204,7 @@ class Runner {
     double seconds_ = 0;
 };
 
-/// Chi² of independent terms of which each has mean 1, as standard deviations from what is expected [WH31].
+/// Chi² of independent terms with mean 1, as standard deviations from its expected value [WH31].
 class ChiSquare {
   public:
     void add(double observed, double expected, double variance) {

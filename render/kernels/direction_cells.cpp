@@ -38,8 +38,8 @@ void DirectionCells::split(std::span<Point> points, const kernel::vec4& box, int
                          [&](const Point& a, const Point& b) { return a.*member < b.*member; });
         return *middle.*member;
     };
-    // In turn, which follows lobes of any shape, or across the direction in which the box is wide compared with what is
-    // in it, which gets hold of narrow ones soon.
+    // Splits in turn follow lobes of any shape; splits across the direction in which the box is wide compared with its
+    // contents enclose narrow lobes early.
     Split cut{level % 4 == 2, 0};
     if (level % 2 == 1 && points.size() >= 4) {
         const auto spread = [&](auto member) { return quantile(member, 0.75) - quantile(member, 0.25); };

@@ -10,11 +10,11 @@
 
 namespace render {
 
-/// The upper hemisphere cut into boxes of height z and azimuth φ, of equal solid angle per area dz dφ, so that each
-/// holds as many of some directions as any other: small where they crowd.
+/// The upper hemisphere divided into boxes of height z and azimuth φ, whose area dz dφ is their solid angle, so that
+/// each contains the same number of given directions.
 class DirectionCells {
   public:
-    /// 2^levels cells. Of `directions`, unit vectors, those with z <= 0 do not count.
+    /// 2^levels cells for `directions`, unit vectors; those with z <= 0 are ignored.
     DirectionCells(std::span<const kernel::vec4> directions, int levels);
 
     /// z from, z to, φ from, φ to [rad]. Neighbours in this order are neighbours in space: 2^k cells from a multiple of
@@ -22,7 +22,7 @@ class DirectionCells {
     [[nodiscard]] const std::vector<kernel::vec4>& cells() const { return cells_; }
     /// dz dφ, which is the solid angle [sr].
     [[nodiscard]] static double solidAngle(const kernel::vec4& cell);
-    /// The cell that `direction` lies in; z > 0.
+    /// Cell that contains `direction`; z > 0.
     [[nodiscard]] std::size_t find(const kernel::vec4& direction) const;
 
   private:

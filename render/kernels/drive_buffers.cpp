@@ -8,25 +8,30 @@
 #include "render/kernels/kernels.h"
 
 namespace render {
+namespace {
 
-bool DriveBuffers::upload(const gpu::Device& device, const core::DriveTable& table) {
-    bool renewed = false;
-    if (!drives_ || drives_.size() < table.drives.size() * sizeof(kernel::Drive)) {
+bool samePlace(const core::DrivePlane& a, const core::DrivePlane& b) {
+    return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height && a.offset == b.offset;
+}
+
+}  // namespace
+
+void DriveBuffers::upload(const gpu::Device& device, const core::DriveTable& table) {
+    if (!drives_ || drives_.size() < table.drives.size() * sizeof(kernel::Drive))
         drives_ = makeBuffer(device, "drives", gpu::BufferUsage::Storage, table.drives);
-        renewed = true;
-    } else if (!table.empty()) {
+    else if (!table.empty())
         device.queue().writeBuffer(drives_, 0, table.drives);
-    }
-    const auto samePlace = [](const core::DrivePlane& a, const core::DrivePlane& b) {
-        return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height && a.offset == b.offset;
-    };
     const bool inPlace =
         values_ && std::equal(table.planes.begin(), table.planes.end(), planes_.begin(), planes_.end(), samePlace);
-    if (!inPlace) {
+    if (inPlace)
+        writeChangedRows(device, table);
+    else
         values_ = makeBuffer(device, "drive values", gpu::BufferUsage::Storage, table.values());
-        renewed = true;
-    }
-    for (std::size_t i = 0; inPlace && i < table.planes.size(); ++i) {
+    planes_ = table.planes;
+}
+
+void DriveBuffers::writeChangedRows(const gpu::Device& device, const core::DriveTable& table) {
+    for (std::size_t i = 0; i < table.planes.size(); ++i) {
         const core::DrivePlane& plane = table.planes[i];
         const core::DrivePlane& old = planes_[i];
         if (plane.mask == old.mask && plane.detail == old.detail) continue;
@@ -42,8 +47,6 @@ bool DriveBuffers::upload(const gpu::Device& device, const core::DriveTable& tab
         device.queue().writeBuffer(values_, (plane.offset + width * static_cast<std::size_t>(first)) * sizeof(float),
                                    rows);
     }
-    planes_ = table.planes;
-    return renewed;
 }
 
 }  // namespace render

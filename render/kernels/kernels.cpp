@@ -16,11 +16,11 @@ ListGroups listGroups(std::uint32_t count, const gpu::Limits& limits) {
 }
 
 BrdfPipeline::BrdfPipeline(const gpu::Device& device, std::string label, std::span<const std::uint32_t> code,
-                           std::vector<gpu::BindGroupLayout> groups, std::uint32_t pushConstantSize)
+                           std::vector<gpu::BindGroupLayout> groups, std::uint32_t immediateSize)
     : device_(device),
       label_(std::move(label)),
       layout_(device.createPipelineLayout(
-          {.label = label_, .bindGroupLayouts = std::move(groups), .pushConstantSize = pushConstantSize})),
+          {.label = label_, .bindGroupLayouts = std::move(groups), .immediateSize = immediateSize})),
       module_(device.createShaderModule({.label = label_, .code = code})) {}
 
 void BrdfPipeline::use(std::uint32_t brdfs, bool driven, std::shared_ptr<const std::vector<std::uint32_t>> userCode) {
@@ -40,9 +40,9 @@ void BrdfPipeline::use(std::uint32_t brdfs, bool driven, std::shared_ptr<const s
 
 gpu::ComputePipeline makePipeline(const gpu::Device& device, const std::string& label,
                                   std::span<const std::uint32_t> code, std::vector<gpu::BindGroupLayout> groups,
-                                  std::uint32_t pushConstantSize) {
+                                  std::uint32_t immediateSize) {
     const gpu::PipelineLayout layout = device.createPipelineLayout(
-        {.label = label, .bindGroupLayouts = std::move(groups), .pushConstantSize = pushConstantSize});
+        {.label = label, .bindGroupLayouts = std::move(groups), .immediateSize = immediateSize});
     const gpu::ShaderModule module = device.createShaderModule({.label = label, .code = code});
     return device.createComputePipelineAsync({.label = label, .layout = layout, .module = module});
 }

@@ -13,7 +13,7 @@
 
 namespace render {
 
-/// Work items per workgroup of the kernels that walk a list, and the side of those that walk an image.
+/// Work items per workgroup of kernels over lists, and the side of the workgroups of kernels over images.
 inline constexpr std::uint32_t kListGroupSize = 64;
 inline constexpr std::uint32_t kTileSize = 8;
 
@@ -25,19 +25,19 @@ struct ListGroups {
 };
 [[nodiscard]] ListGroups listGroups(std::uint32_t count, const gpu::Limits& limits);
 
-/// A kernel that calls BRDFs, compiled for those in use: on a software device the time to compile grows with every
-/// BRDF. What has been compiled is kept.
+/// A kernel that calls BRDFs, compiled only for those in use, because on a software device each BRDF adds to the time
+/// of compilation. Keeps all pipelines it has compiled.
 class BrdfPipeline {
   public:
     BrdfPipeline() = default;
     BrdfPipeline(const gpu::Device& device, std::string label, std::span<const std::uint32_t> code,
-                 std::vector<gpu::BindGroupLayout> groups, std::uint32_t pushConstantSize);
+                 std::vector<gpu::BindGroupLayout> groups, std::uint32_t immediateSize);
 
-    /// Chooses the BRDFs, bit = id in shaders/brdf/registry.h, and whether parameters vary over segments. Compiles when
-    /// there is no pipeline for them yet. `userCode`: the kernel with BRDFs that the user wrote, when there are any; it
-    /// replaces the one before.
+    /// Chooses the BRDFs, bit = id in shaders/brdf/registry.h, and whether parameters vary over segments. Compiles
+    /// unless there is a pipeline for them. `userCode`: the kernel with BRDFs that the user wrote, if any; it replaces
+    /// the previous one.
     void use(std::uint32_t brdfs, bool driven, std::shared_ptr<const std::vector<std::uint32_t>> userCode = nullptr);
-    /// For what was chosen last.
+    /// The pipeline for the last choice.
     [[nodiscard]] const gpu::ComputePipeline& pipeline() const { return pipelines_.at(chosen_); }
 
   private:
@@ -56,7 +56,7 @@ class BrdfPipeline {
 [[nodiscard]] gpu::ComputePipeline makePipeline(const gpu::Device& device, const std::string& label,
                                                 std::span<const std::uint32_t> code,
                                                 std::vector<gpu::BindGroupLayout> groups,
-                                                std::uint32_t pushConstantSize = 0);
+                                                std::uint32_t immediateSize = 0);
 
 /// Group 0 of shaders/lib/geometry.glsl.
 [[nodiscard]] gpu::BindGroupLayout makeGeometryLayout(const gpu::Device& device);
@@ -69,7 +69,7 @@ struct LayoutEntry {
 [[nodiscard]] gpu::BindGroupLayout makeLayout(const gpu::Device& device, const std::string& label,
                                               std::initializer_list<LayoutEntry> entries);
 
-/// Buffer with its first contents; at least `minimumSize` bytes, so that an empty list still can be bound.
+/// Buffer with its first contents; at least 16 bytes, so that an empty list can be bound.
 template <class T>
 [[nodiscard]] gpu::Buffer makeBuffer(const gpu::Device& device, const std::string& label, gpu::BufferUsage usage,
                                      const std::vector<T>& contents) {

@@ -32,15 +32,10 @@ void MeasuredTables::requireFits(const gpu::Device& device, const MeasuredFiles&
                                                       std::to_string(most) + " at a time.");
 }
 
-bool MeasuredTables::use(const MeasuredFiles& files) {
-    if (files == files_) return false;
+const gpu::Buffer& MeasuredTables::upload(const gpu::Device& device, const MeasuredFiles& files) {
+    if (buffer_ && files == files_) return buffer_;
     files_ = files;
     buffer_ = {};
-    return true;
-}
-
-const gpu::Buffer& MeasuredTables::buffer(const gpu::Device& device) {
-    if (buffer_) return buffer_;
     buffer_ = device.createBuffer(
         {.label = "measured BRDFs",
          .size = std::max<std::uint64_t>(files_.size() * std::uint64_t{kernel::kMeasuredSize} * sizeof(float), 16),

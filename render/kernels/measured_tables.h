@@ -15,18 +15,16 @@ namespace render {
 /// Measured BRDFs in the order of their tables on the device.
 using MeasuredFiles = std::vector<std::shared_ptr<const core::MeasuredBrdf>>;
 
-/// The measured BRDFs of a scene's edits, each once; writes into `shading` (by label) where their tables begin.
+/// The measured BRDFs of a scene's edits, each once; writes the begin of their tables into `shading` (by label).
 [[nodiscard]] MeasuredFiles placeMeasured(const core::Scene& scene, std::span<kernel::SegmentShading> shading);
 
-/// Their tables in one buffer (shaders/brdf/measured.h).
+/// Tables of measured BRDFs in one buffer (shaders/brdf/measured.h).
 class MeasuredTables {
   public:
     /// Throws core::Error(Input) for more tables than one buffer of the device can hold.
     static void requireFits(const gpu::Device& device, const MeasuredFiles& files);
-    /// What the buffer shall hold; true when that is something new, so that bind groups with the old one are stale.
-    bool use(const MeasuredFiles& files);
-    /// Uploads when needed.
-    [[nodiscard]] const gpu::Buffer& buffer(const gpu::Device& device);
+    /// Buffer with these tables; replaced when they change.
+    [[nodiscard]] const gpu::Buffer& upload(const gpu::Device& device, const MeasuredFiles& files);
 
   private:
     MeasuredFiles files_;

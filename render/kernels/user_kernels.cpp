@@ -34,7 +34,7 @@ const char* kernelText(UserKernel kernel) {
     return "";
 }
 
-/// What the files' code calls. A call of one of their functions has a number of steps for all its loops.
+/// Helpers that the files' code calls. Each call of their functions has a budget of steps for all its loops.
 constexpr const char* kHelpers = R"glsl(
 const int kUserSteps = 256;
 int userSteps;
@@ -49,7 +49,7 @@ int user_index(uint i, int count) { return int(min(i, uint(count - 1))); }
 vec3 user_fresnel(float cosine) { return fresnel_specular(userParams, cosine); }
 )glsl";
 
-/// The kernel's view of the files; EVALUATE, PDF and SAMPLE stand for a case per file.
+/// The interface of the files to the kernel; EVALUATE, PDF and SAMPLE stand for a case per file.
 constexpr const char* kDispatch = R"glsl(
 vec3 user_eval(BrdfParams b, vec3 wo, vec3 wi) {
     if (!(wo.z > 0.0) || !(wi.z > 0.0)) return vec3(0.0);

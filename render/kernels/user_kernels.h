@@ -16,8 +16,8 @@ namespace render {
 /// BRDFs that the user wrote, in the order of their ids (shaders/brdf/user.h).
 using UserFiles = std::vector<std::shared_ptr<const core::UserBrdf>>;
 
-/// Those of a scene's edits, each once; writes their ids into `shading` (by label). Throws core::Error(Input) for more
-/// than BRDF_USER_COUNT.
+/// User BRDFs of a scene's edits, each once; writes their ids into `shading` (by label). Throws core::Error(Input) for
+/// more than BRDF_USER_COUNT.
 [[nodiscard]] UserFiles placeUserBrdfs(const core::Scene& scene, std::span<kernel::SegmentShading> shading);
 
 enum class UserKernel { Reshade, Irradiance, CheckBrdf };
@@ -32,12 +32,12 @@ class UserKernels {
     struct Code {
         UserFiles files;
         std::vector<std::uint32_t> reshade;
-        std::vector<std::uint32_t> irradiance;  ///< empty where it was not wanted
+        std::vector<std::uint32_t> irradiance;  ///< empty unless asked for
     };
 
-    /// What is needed from now on; none = the program's own kernels. Starts compiling.
+    /// Starts to compile the kernel for these files; none = the program's own kernels.
     void want(const UserFiles& files, bool irradiance);
-    /// Whether `code` is what is wanted; waits for it for at most `seconds`. Throws what compiling threw.
+    /// Whether `code` is up to date, after waiting for up to `seconds`. Rethrows errors of compilation.
     [[nodiscard]] bool ready(double seconds);
     /// nullptr for the program's own kernels.
     [[nodiscard]] const std::shared_ptr<const Code>& code() const { return code_; }

@@ -20,7 +20,7 @@ void dispatch(const gpu::CommandEncoder& encoder, const char* label, const gpu::
     const gpu::ComputePassEncoder pass = encoder.beginComputePass({.label = label});
     pass.setPipeline(pipeline);
     pass.setBindGroup(0, group);
-    pass.setPushConstants(&block, sizeof(block));
+    pass.setImmediates(0, &block, sizeof(block));
     const ListGroups groups = listGroups(count, encoder.device().limits());
     pass.dispatchWorkgroups(groups.x, groups.y);
     pass.end();
@@ -215,8 +215,8 @@ void DiffusionPass::record(const gpu::CommandEncoder& encoder, SceneGeometry& ge
             const kernel::DiffusionGatherBlock block{
                 .corner = {static_cast<float>(corner[0]), static_cast<float>(corner[1]), static_cast<float>(corner[2]),
                            static_cast<float>(grids.grid.cellOf(step.level))},
-                .flatSurface = toKernel(kernel.flatSurface),
-                .tolerance = toKernel(kernel.tolerance),
+                .flatSurface = toKernel(kernel.flat.integral),
+                .tolerance = toKernel(kernel.flat.tolerance),
                 .firstPixel = first,
                 .pixelCount = count,
                 .level = step.level,

@@ -16,9 +16,9 @@ namespace render {
 
 /// The grids of one segment on the device.
 struct DiffusionGrids {
-    core::DiffusionGrid grid;  ///< without its lists, which are on the device
+    core::DiffusionGrid grid;  ///< without its lists, which are only on the device
     std::uint32_t pixelCount = 0;
-    gpu::Buffer places;  ///< vec4 per sample: place, area
+    gpu::Buffer places;  ///< vec4 per sample: position, area
     gpu::BindGroup splat, restrict, toNarrow, toWide, combine, gather;
 };
 
@@ -28,8 +28,8 @@ struct DiffusionStep {
     Kernel kernel = Kernel::Splat;
     std::uint32_t first = 0;  ///< brick, or pixel of `Gather`
     std::uint32_t count = 0;
-    std::uint32_t level = 0;                  ///< of `Combine` and `Gather`
-    gpu::BindGroup DiffusionGrids::*group{};  ///< what the kernel works on
+    std::uint32_t level = 0;                  ///< for `Combine` and `Gather`
+    gpu::BindGroup DiffusionGrids::*group{};  ///< bindings of the kernel
 };
 
 /// Records the sum of light below a surface over all surface samples (core/shading/diffusion_grid.h):
@@ -42,23 +42,23 @@ class DiffusionPass {
     [[nodiscard]] DiffusionGrids upload(core::DiffusionGrid grid, const gpu::Buffer& sums,
                                         const Targets& targets) const;
 
-    /// Steps that take in the light of samples; to be recorded in order. `setAreas` comes first.
+    /// Steps that bring the samples' light into the grids, to be recorded in order after `setAreas`.
     [[nodiscard]] static std::vector<DiffusionStep> lightSteps(const DiffusionGrids& grids);
-    /// Steps that smooth the light of levels [first, last), once after `lightSteps`.
+    /// Steps that smooth the light of levels [first, last), once after the light steps.
     [[nodiscard]] static std::vector<DiffusionStep> smoothSteps(const DiffusionGrids& grids, std::size_t first,
                                                                 std::size_t last);
-    /// Steps from there to the pixels for a profile.
+    /// Steps that sum the smoothed light onto the pixels for a profile.
     [[nodiscard]] static std::vector<DiffusionStep> sumSteps(const DiffusionGrids& grids,
                                                              const core::DiffusionKernel& kernel);
 
-    /// What samples stand for [m²], as many as are lit; the others count as dark.
+    /// Sets the areas that the lit samples represent [m²]; the other samples count as dark.
     void setAreas(DiffusionGrids& grids, std::span<const float> areas) const;
 
-    /// Items [first, first + count) of a step; `rays` that samples were lit by, `kernel` of the profile.
+    /// Records items [first, first + count) of a step. `rays`: rays per sample; `kernel`: of the profile.
     void record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const DiffusionGrids& grids,
                 const DiffusionStep& step, std::uint32_t first, std::uint32_t count, std::uint32_t rays,
                 const core::DiffusionKernel& kernel) const;
-    /// Marks all pixels as not known.
+    /// Marks all pixels as unknown.
     void recordClear(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const DiffusionGrids& grids) const;
 
   private:
@@ -67,7 +67,7 @@ class DiffusionPass {
     gpu::ComputePipeline splat_, restrict_, smooth_, combine_, gather_;
 };
 
-/// Memory accesses of an item of a step: what its cost is in proportion to.
+/// Memory accesses per item of a step, to which its cost is proportional.
 [[nodiscard]] std::uint64_t accessesPerItem(DiffusionStep::Kernel kernel);
 
 [[nodiscard]] const char* nameOf(DiffusionStep::Kernel kernel);

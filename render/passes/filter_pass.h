@@ -18,7 +18,8 @@ class FilterPass {
 
     [[nodiscard]] static int stepCount();
 
-    /// Bind groups of the directions a step can go: start -> ping, ping -> pong, pong -> ping, and to `filtered`.
+    /// Bind groups by the pictures that a step reads and writes: start -> ping, ping -> pong, pong -> ping, and to
+    /// `filtered`.
     struct Groups {
         gpu::BindGroup start, toPong, toPing, pingToEnd, pongToEnd;
     };

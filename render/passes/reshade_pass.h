@@ -14,7 +14,7 @@ class ReshadePass {
   public:
     ReshadePass(const gpu::Device& device, const gpu::BindGroupLayout& geometryLayout);
 
-    /// The BRDFs that paths may meet, bit = id, and whether there are drives; to be called before `record`.
+    /// Sets the BRDFs that paths may meet, bit = id, and whether there are drives; to be called before `record`.
     void useBrdfs(std::uint32_t brdfs, bool driven, std::shared_ptr<const std::vector<std::uint32_t>> userCode) {
         pipeline_.use(brdfs, driven, std::move(userCode));
     }

@@ -22,9 +22,9 @@ PixelList SilhouettePass::upload(const std::vector<core::SilhouettePixel>& pixel
     const auto pack = [](int x, int y) { return static_cast<std::uint32_t>(x) | static_cast<std::uint32_t>(y) << 16; };
     std::vector<kernel::MixedPixel> packed;
     packed.reserve(pixels.size());
-    PixelBounds bounds;
+    core::PixelBox bounds;
     for (const core::SilhouettePixel& p : pixels) {
-        bounds.include(p.x, p.y);
+        bounds.add({p.x, p.y});
         packed.push_back({.pixel = pack(p.x, p.y),
                           .source = pack(p.sourceX, p.sourceY),
                           .coverage = p.coverage,

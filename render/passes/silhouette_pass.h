@@ -11,12 +11,12 @@
 
 namespace render {
 
-/// Records what the partly covered pixels at one segment's outline show (shaders/silhouette.comp).
+/// Records the colours of the partly covered pixels at one segment's outline (shaders/silhouette.comp).
 class SilhouettePass {
   public:
     SilhouettePass(const gpu::Device& device, const gpu::BindGroupLayout& geometryLayout);
 
-    /// The list on the device, as a pixel list whose buffer holds kernel::MixedPixel.
+    /// Uploads the list; the buffer holds kernel::MixedPixel.
     [[nodiscard]] PixelList upload(const std::vector<core::SilhouettePixel>& pixels) const;
     [[nodiscard]] gpu::BindGroup bind(const PathInputs& inputs, const PixelList& pixels, const Targets& targets) const;
     void record(const gpu::CommandEncoder& encoder, SceneGeometry& geometry, const gpu::BindGroup& group,

@@ -14,10 +14,11 @@ namespace render {
 
 /// The surface samples of one segment on the device.
 struct SurfacePoints {
-    gpu::Buffer points;  ///< kernel::SurfacePoint; any first few cover the whole surface
+    gpu::Buffer points;  ///< kernel::SurfacePoint; any number of first ones covers the whole surface
     gpu::Buffer sums;    ///< vec4 per point: sum of transmitted radiance
     std::uint32_t count = 0;
-    double area = 0;  ///< [m²], front and back together
+    double area = 0;  ///< of front and back [m²]
+    bool operator==(const SurfacePoints&) const = default;
 };
 
 /// Records slices of the light that enters at surface samples (docs/method.md#translucency, shaders/irradiance.comp).
@@ -25,7 +26,7 @@ class TranslucencyPass {
   public:
     TranslucencyPass(const gpu::Device& device, const gpu::BindGroupLayout& geometryLayout);
 
-    /// The BRDFs that paths may meet, bit = id, and whether there are drives; to be called before light is recorded.
+    /// Sets the BRDFs that paths may meet, bit = id, and whether there are drives; to be called before `record`.
     void useBrdfs(std::uint32_t brdfs, bool driven, std::shared_ptr<const std::vector<std::uint32_t>> userCode) {
         irradiance_.use(brdfs, driven, std::move(userCode));
     }

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One pass of the edge-avoiding depth filter, twin of core::analysis::runFilterPass; core/analysis/depth/filter_depth.h says why the
-// weights are what they are.
+// One pass of the edge-avoiding depth filter, twin of core::analysis::runFilterPass; core/analysis/depth/filter_depth.h
+// explains the weights.
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/list.glsl"
 #include "shaders/shared/depth_filter_block.h"
@@ -13,8 +13,6 @@ layout(set = 0, binding = DEPTH_FILTER_COLOR) readonly buffer Color { uint color
 layout(set = 0, binding = DEPTH_FILTER_LABELS) readonly buffer Labels { uint labels[]; };
 layout(set = 0, binding = DEPTH_FILTER_PARAMETERS) readonly buffer Parameters { vec4 parameters[]; };
 layout(set = 0, binding = DEPTH_FILTER_RESULT) writeonly buffer Result { float results[]; };
-
-const float kFarthest = 64.0;  // squared residual beyond which a pair is of another surface
 
 uint labelAt(int i) { return (labels[i >> 1] >> (16 * (i & 1))) & 0xffffu; }
 
@@ -56,7 +54,7 @@ float filtered(int here) {
         float wb = inverseDepths[ib];
         float residual = 0.5 * (wa + wb) - w;
         float squared = residual * residual * factor;
-        if (squared >= kFarthest || wa <= 0.0 || wb <= 0.0 || labelAt(ia) != label || labelAt(ib) != label) continue;
+        if (squared >= kMaxSquaredResidual || wa <= 0.0 || wb <= 0.0 || labelAt(ia) != label || labelAt(ib) != label) continue;
         float similar =
             max(1.0 - (squaredDistance(colors[ia], center) + squaredDistance(colors[ib], center)) * block.colorFactor, 0.0);
         float k = parameters[i].z * similar * similar / ((1.0 + squared) * (1.0 + squared));

@@ -48,7 +48,7 @@ void main() {
         if (!(content.w > 0.0)) continue;
         float distance = angleBetween(direction, group.xyz);
         if (level == 0u || group.w < block.opening * distance) {
-            float k = 1.0 / max(distance * distance * distance, block.leastCube);
+            float k = 1.0 / max(distance * distance * distance, block.minCube);
             sum += k * content.xyz;
             weight += k * content.w;
             continue;

@@ -1,6 +1,7 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Normals by robust plane fits, positions and patch areas, twin of core::analysis::computeSurface (core/analysis/depth/normals.h).
+// Normals by robust plane fits, positions and patch areas. Twin of core::analysis::computeSurface
+// (core/analysis/depth/normals.h).
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/list.glsl"
 #include "shaders/shared/fit_surface_block.h"
@@ -12,10 +13,6 @@ layout(set = 0, binding = FIT_SURFACE_LABELS) readonly buffer Labels { uint labe
 layout(set = 0, binding = FIT_SURFACE_TAPS) readonly buffer Taps { vec4 taps[]; };
 layout(set = 0, binding = FIT_SURFACE_KNOWN) readonly buffer Known { float known[]; };
 layout(set = 0, binding = FIT_SURFACE_RESULT) writeonly buffer Result { float results[]; };
-
-const float kNothing = 1.0e9;     // inverse depth [1/m] that is on no plane
-const float kMinCosine = 0.02;
-const float kContourJump = 6.0;   // step over an occluding contour over the one before it
 
 // Inverse depth of a pixel of the segment, 0 if there is none.
 float inverseDepthAt(ivec2 pixel, uint label) {
@@ -34,11 +31,11 @@ float guessSlope(ivec2 pixel, ivec2 step, uint label, float w) {
     if (before <= 0.0 && after <= 0.0) return 0.0;
     if (before <= 0.0) return after - w;
     if (after <= 0.0) return w - before;
-    float least = w * (2.0 * block.relativeNoise + 1.0e-7);
-    float errorBefore = least + abs(before2 > 0.0 ? w - 2.0 * before + before2 : w - before);
-    float errorAfter = least + abs(after2 > 0.0 ? w - 2.0 * after + after2 : w - after);
-    if (errorBefore > 6.0 * errorAfter) return after - w;
-    if (errorAfter > 6.0 * errorBefore) return w - before;
+    float tolerance = w * (2.0 * block.relativeNoise + 1.0e-7);
+    float errorBefore = tolerance + abs(before2 > 0.0 ? w - 2.0 * before + before2 : w - before);
+    float errorAfter = tolerance + abs(after2 > 0.0 ? w - 2.0 * after + after2 : w - after);
+    if (errorBefore > kMaxSideRatio * errorAfter) return after - w;
+    if (errorAfter > kMaxSideRatio * errorBefore) return w - before;
     return 0.5 * (after - before);
 }
 
@@ -50,22 +47,22 @@ float rootStep(float d) { return 1.0 / (sqrt(d + 1.0) + sqrt(d)); }
 bool contourSlope(float first, float second, float third, out float slope) {
     float ratio = second / first;
     slope = 0.0;
-    if (!(ratio > 0.0) || !(ratio < 0.95)) return false;
-    float low = 0.02;  // [px]
-    float high = 100.0;
-    for (int i = 0; i < 16; ++i) {
+    if (!(ratio > 0.0) || !(ratio < kMaxContourRatio)) return false;
+    float low = kMinContourDistance;
+    float high = kMaxContourDistance;
+    for (int i = 0; i < kContourBisections; ++i) {
         float d = sqrt(low * high);
         if (rootStep(d + 1.0) < ratio * rootStep(d))
             low = d;
         else
             high = d;
     }
-    if (abs(third - first * rootStep(low + 2.0) / rootStep(low)) > 0.05 * abs(first)) return false;
+    if (abs(third - first * rootStep(low + 2.0) / rootStep(low)) > kContourTolerance * abs(first)) return false;
     slope = first * 0.5 * (1.0 + sqrt(1.0 + 1.0 / low));
     return true;
 }
 
-// Slope along `step` where the segment, or what of it is in sight, ends beside the pixel; false elsewhere.
+// Slope along `step` where the segment, or its visible part, ends beside the pixel; false elsewhere.
 bool slopeAtContour(ivec2 pixel, ivec2 step, uint label, float w, out float slope) {
     for (int inside = -1; inside <= 1; inside += 2) {
         float outer = inverseDepthAt(pixel - inside * step, label);
@@ -112,8 +109,8 @@ vec3 fitNormal(ivec2 pixel, uint label, float w) {
             svw += kuv.y * difference[i];
         }
         if (s <= 0.0) break;
-        // About the mean; a thin line of pixels says nothing about the slope across it: keep the guess there.
-        float regularization = 1.0e-4 * s;
+        // About the mean; a thin line of pixels does not determine the slope across it, where the guess remains.
+        float regularization = kSlopeStiffness * s;
         float cuu = suu - su * su / s + regularization;
         float cuv = suv - su * sv / s;
         float cvv = svv - sv * sv / s + regularization;
@@ -158,8 +155,7 @@ void main() {
         }
         float z = 1.0 / w;
         position = vec3((vec2(pixel) + 0.5 - block.camera.zw) / block.camera.xy * z, z);
-        // The angle of view is limited: one grazing pixel cannot outweigh a segment.
-        float cosine = max(abs(dot(normal, position)), kMinCosine * length(position));
+        float cosine = max(abs(dot(normal, position)), kMinViewCosine * length(position));
         area = cosine > 0.0 ? z * z * z / (block.camera.x * block.camera.y * cosine) : 0.0;
     }
     uint at = 7u * index;

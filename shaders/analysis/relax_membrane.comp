@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Half a sweep of red-black over-relaxation of Laplace's equation on the sphere, twin of core::analysis::relaxMembrane: all
-// texels of one colour, which depend on the other colour only.
+// Half a sweep of red-black over-relaxation of Laplace's equation on the sphere: all texels of one colour, which depend
+// on the other colour only. Twin of core::analysis::relaxMembrane.
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/list.glsl"
 #include "shaders/shared/relax_membrane_block.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A model to be led by the eye, with the parameters of Disney's [Bur12], but layered so that it is reciprocal and never
+// A model for artists, with the parameters of Disney's [Bur12], but layered so that it is reciprocal and never
 // reflects more than it receives: clear coat over sheen over a mixture of metal (GGX, F0 = base colour) and dielectric
 // (GGX, F0 = 0.08 · specular, over a coupled diffuse part [SHH+97]). What a layer reflects is taken from those below.
 #ifndef PATINA_BRDF_ARTIST_H

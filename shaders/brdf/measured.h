@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measured isotropic BRDFs in the half-angle and difference-angle coordinates of [Rus98], as in MERL's files [MPBM03]:
 // 90 half angles (spaced by the square), 90 difference angles and 180 azimuths of the difference, linear between the
-// first two, nearest in the third. Sampling: with a tabulated chance a cosine lobe, else a half vector whose elevation
+// first two, nearest in the third. Sampling: with a tabulated probability a cosine lobe, otherwise a half vector whose elevation
 // follows a table made for the elevation of `wo` (core/material/measured_brdf.cpp), mirrored at it.
 #ifndef PATINA_BRDF_MEASURED_H
 #define PATINA_BRDF_MEASURED_H

@@ -11,7 +11,7 @@
 
 KERNEL_BEGIN
 
-/// Below this width float cannot resolve the lobe any more.
+/// Smallest width that float can resolve.
 const float kGgxMinAlpha = 0.001f;
 
 KERNEL_FN float ggx_g(vec2 alpha, vec3 v) {

@@ -9,7 +9,7 @@
 
 #if defined(PATINA_USER_BRDFS) && !defined(__cplusplus)
 
-// What went wrong in calls since this was last set to 0.
+// Faults in calls since this was last set to 0.
 uint userFaults = 0u;
 const uint kUserLoops = 1u;      // the steps of a call's loops ran out
 const uint kUserDirection = 2u;  // a sampled direction was not of unit length

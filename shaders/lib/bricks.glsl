@@ -17,7 +17,7 @@ uint cellIn(uint brick, ivec3 cell) {
     return brick * DIFFUSION_BRICK_CELLS + uint(c.x + 4 * c.y + 16 * c.z);
 }
 
-// Cell `cell` relative to a brick's first one, -4 to 7 in each direction, maybe a neighbour's.
+// Cell `cell` relative to a brick's first one, -4 to 7 in each direction; it may belong to a neighbour.
 uint cellAround(uint brick, ivec3 cell) {
     ivec3 n = (cell >> 2) + 1;
     return cellIn(brickWord(brick, DIFFUSION_BRICK_NEIGHBOURS + uint(n.x + 3 * n.y + 9 * n.z)), cell);

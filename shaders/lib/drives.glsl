@@ -10,7 +10,7 @@ vec3 driveAt(uint i, ivec2 pixel) {
     return drive_value(drives[i], driveValues[drive_index(drives[i], uint(pixel.x), uint(pixel.y))]);
 }
 
-// Drives of the composite change what the weights of a block say: `weight` belongs to `slot`.
+// The weight of `slot` in this pixel: `weight` of the block unless a drive of the composite replaces it.
 float drivenWeight(float weight, uint slot, uint first, uint count, ivec2 pixel) {
     uint end = first + sliceValue(count);
     for (uint i = first; i < end; ++i)

@@ -28,8 +28,8 @@ vec4 environmentTexel(int x, int y) {
     return texelFetch(environmentMap, ivec2(x, clamp(y, 0, height - 1)), 0);
 }
 
-// Radiance from direction d (unit, pointing to the light): bilinear, wraps in U, clamped in V. w = density [1/sr] with
-// which sampleEnvironment finds d.
+// Radiance from direction d (unit, pointing to the light): bilinear, wraps in U, clamped in V. w = density of
+// sampleEnvironment at d [1/sr].
 vec4 environmentLight(vec3 d) {
     vec2 size = vec2(geometry.environmentWidth, geometry.environmentHeight);
     vec2 texel = vec2(0.5 + atan(d.x, d.z) * (0.5 * kInvPi), acos(clamp(-d.y, -1.0, 1.0)) * kInvPi) * size - 0.5;
@@ -47,7 +47,7 @@ vec4 environmentLight(vec3 d) {
 
 vec3 environmentRadiance(vec3 d) { return environmentLight(d).rgb; }
 
-// Interval of `count` that u falls into, in the cumulative probabilities from `first` on, and where inside it.
+// Index of the interval that contains u, in `count` cumulative probabilities from `first` on; `fraction`: position in it.
 uint invertTable(uint first, uint count, float u, out float fraction) {
     uint low = 0u;
     uint high = count;

@@ -6,6 +6,22 @@
 // its front patch, and the crossing inside a pixel is a linear equation, so there is no step size. A pyramid cell whose
 // range of w the ray does not touch is skipped as a whole (Tevs et al. 2008, "Maximum mipmaps").
 //
+// The pyramid has cells of 1 (level 0) to 256 pixels that hold the range of inverse depth of the solids in them. Software
+// devices pay for each iteration with all lanes and gain nothing from branches; what counts is how many words are read,
+// and from how many cache lines. Therefore:
+// - A cell is one word, two 16-bit numbers rounded outwards. All levels are in one map, which lies in blocks of 4x4 cells
+//   (pyramidIndex). It is a texture, because drivers read one for eight lanes at once and a buffer lane by lane.
+// - The inner loop only walks the pyramid. The outer loop looks at the two patches of a pixel, once a lane has found one
+//   that its ray may touch; lanes without one all read the same texel, so that they fetch nothing from far away.
+// - A list of rays (march_rays.comp: the analysis, the benchmark) is marched in the same steps, with lanes that never
+//   wait for the longest ray among them. A workgroup has a share of the list, and each lane takes the next ray from it
+//   when one of its two has ended. Two, because on large pictures most of the time is spent waiting for memory: one ray's
+//   cell arrives while the other's is examined. Software drivers give each thread one part of the workgroups, so
+//   neighbouring shares go to different parts.
+// - Kernels that follow paths (lib/path.glsl) march one ray per lane at a time.
+// Pictures whose pyramid exceeds the device's largest texture do without the finest levels. core::MarchPyramid is the
+// twin on the CPU, core::march the oracle of both.
+//
 // A kernel may define MARCH_WITHOUT before it includes this: pixels with that label count as empty.
 #ifndef PATINA_MARCH_GLSL
 #define PATINA_MARCH_GLSL
@@ -21,14 +37,14 @@ struct MarchHit {
 };
 
 const float kFar = 1.0e30;
-const float kLeastStep = 1.0e-12;  // [px] per unit of s; across the view, or none
+const float kMinStep = 1.0e-12;  // [px] per unit of s; avoids division by zero
 
 struct ImageRay {
     vec3 start;    // (u [px], v [px], w [1/m])
     vec3 step;     // per unit of s
     vec2 inverse;  // 1/step.xy, finite
     float begin;   // s where the ray enters the image; 0 when it starts over it
-    float end;     // s where it leaves the image, the depths that occur, or space
+    float end;     // s where it leaves the image, the range of depths, or the half space before the camera
 };
 
 // The part of the ray that can meet anything; empty (end < begin, or NaN) when there is none.
@@ -38,13 +54,13 @@ ImageRay imageRay(vec3 p, vec3 d) {
     vec2 focal = geometry.camera.xy;
     ray.start = vec3(focal * p.xy * w + geometry.camera.zw, w);
     ray.step = vec3(focal * (d.xy - d.z * p.xy * w), -d.z * w);
-    if (abs(ray.step.x) < kLeastStep) ray.step.x = kLeastStep;
-    if (abs(ray.step.y) < kLeastStep) ray.step.y = kLeastStep;
+    if (abs(ray.step.x) < kMinStep) ray.step.x = kMinStep;
+    if (abs(ray.step.y) < kMinStep) ray.step.y = kMinStep;
     ray.inverse = 1.0 / ray.step.xy;
     ray.end = d.z > 0.0 ? 1.0 / d.z : kFar;
-    if (ray.step.z > 0.0) ray.end = min(ray.end, (geometry.greatestW - w) / ray.step.z);
-    if (ray.step.z < 0.0) ray.end = min(ray.end, (geometry.leastW - w) / ray.step.z);
-    if (ray.step.z == 0.0 && (w > geometry.greatestW || w < geometry.leastW)) ray.end = -1.0;
+    if (ray.step.z > 0.0) ray.end = min(ray.end, (geometry.maxW - w) / ray.step.z);
+    if (ray.step.z < 0.0) ray.end = min(ray.end, (geometry.minW - w) / ray.step.z);
+    if (ray.step.z == 0.0 && (w > geometry.maxW || w < geometry.minW)) ray.end = -1.0;
 
     vec2 size = vec2(geometry.width, geometry.height);
     vec2 ahead = vec2(ray.step.x > 0.0 ? size.x : 0.0, ray.step.y > 0.0 ? size.y : 0.0);
@@ -55,10 +71,10 @@ ImageRay imageRay(vec3 p, vec3 d) {
     return ray;
 }
 
-// Solid of one pixel against the piece [s0, s1] of a ray inside that pixel: the parameters where it enters and leaves,
-// and whether it enters through the back patch. False when it does not touch the solid, or when not `asked`: where lanes
-// run in lock step the patches are read for all of them, and those that need none read the same texels. A side wall
-// belongs to the nearer layer.
+// Intersects the piece [s0, s1] of a ray inside a pixel with the pixel's solid: where it enters and leaves, and whether
+// it enters through the back patch; a side wall belongs to the nearer layer. False when it does not touch the solid, or
+// when not `asked`. Lanes run in lock step, so the patches are read in any case; lanes that need none read the same
+// texels.
 bool crossPixel(ImageRay ray, ivec2 pixel, float s0, float s1, bool asked, out float enter, out float leave,
                 out bool back) {
     ivec2 texel = asked ? pixel : ivec2(0);
@@ -90,23 +106,23 @@ bool crossPixel(ImageRay ray, ivec2 pixel, float s0, float s1, bool asked, out f
     return touches && lo <= hi;
 }
 
-// Greatest of `least` and the least of the others, none of which is negative if it matters: such floats order as
-// integers, which takes a third of the instructions where NaN needs them.
-float nextStop(float least, vec2 exits, float end) {
+// Smallest of exits and end, at least `start`. Non-negative floats compare like integers, which takes a third of the
+// instructions, because NaN needs no care; results for negative ones do not matter.
+float nextStop(float start, vec2 exits, float end) {
     int stop = min(min(floatBitsToInt(exits.x), floatBitsToInt(exits.y)), floatBitsToInt(end));
-    return intBitsToFloat(max(floatBitsToInt(least), stop));
+    return intBitsToFloat(max(floatBitsToInt(start), stop));
 }
 
-// What rays march through, read once: loads are not moved out of loops everywhere.
+// What rays march through. Read once, because not every compiler moves loads out of loops.
 struct MarchScene {
     ivec2 lastPixel;
     int top;  // levels of the pyramid
     int finest;
     uint rows;  // where its cells are (pyramidIndex)
     uint blocks;
-    float leastW;
+    float minW;
     float scale;  // rangeScale
-    int steps;    // no ray needs more; one with broken numbers stops here
+    int steps;    // upper bound for any ray; stops those with NaN
 };
 
 MarchScene marchScene() {
@@ -116,23 +132,23 @@ MarchScene marchScene() {
     scene.finest = int(geometry.pyramidFinest);
     scene.rows = geometry.pyramidRows;
     scene.blocks = geometry.pyramidBlocks;
-    scene.leastW = geometry.leastW;
-    scene.scale = rangeScale(geometry.leastW, geometry.greatestW);
+    scene.minW = geometry.minW;
+    scene.scale = rangeScale(geometry.minW, geometry.maxW);
     scene.steps = int(sliceValue(8u * (geometry.width + geometry.height) + 64u));
     return scene;
 }
 
-// A ray on its way, which walks the pyramid until it may touch the solid of a pixel, looks at that pixel, and walks on
-// (Aila and Laine 2009, "while-while"): where lanes run in lock step, all of them then do the same most of the time.
+// State of a ray. It walks the pyramid until it may touch the solid of a pixel, looks at that pixel, and walks on (Aila
+// and Laine 2009, "while-while"), so that lanes in lock step do the same most of the time.
 struct March {
     ImageRay ray;
     vec2 z;       // of origin [m] and direction
     float start;  // w of the ray's start and step, in the pyramid's unit
     float slope;
-    float s;  // it came so far
+    float s;  // current position
     ivec2 pixel;
     ivec2 ahead;  // 1 where u, v grow
-    int level;    // of the cell it looks at next, the one with `pixel` in it
+    int level;    // level of the next cell, which contains `pixel`
     bool going;
     bool candidate;  // it may touch the solid of `pixel`
     bool inside;     // escaping from the solid of the origin; the first pixel decides whether there is one
@@ -151,7 +167,7 @@ March startMarch(MarchScene scene, vec3 p, vec3 d) {
     March m;
     m.ray = imageRay(p, d);
     m.z = vec2(p.z, d.z);
-    m.start = (m.ray.start.z - scene.leastW) * scene.scale + kRangeStart;
+    m.start = (m.ray.start.z - scene.minW) * scene.scale + kRangeStart;
     m.slope = m.ray.step.z * scene.scale;
     m.s = m.ray.begin;
     m.pixel = clamp(ivec2(floor(m.ray.start.xy + m.ray.step.xy * m.ray.begin)), ivec2(0), scene.lastPixel);
@@ -195,7 +211,7 @@ MarchHit marchHit(March m) {
 
 bool walks(March m) { return m.going && !m.candidate; }
 
-// What holds all solids of the next cell (packRange).
+// Range of all solids in the next cell (packRange).
 uint nextCell(MarchScene scene, March m) {
     int stored = max(m.level, scene.finest);
     uvec2 cell = uvec2(m.pixel >> stored);
@@ -203,7 +219,7 @@ uint nextCell(MarchScene scene, March m) {
     return texelFetch(pyramidMap, ivec2(pyramidTexel(index)), 0).x;
 }
 
-// A step of a ray that walks: past the next cell or into it. What it does is counted in instructions.
+// One step of a walking ray: past the next cell or into it. The innermost code; every instruction counts.
 void walk(MarchScene scene, inout March m, uint range) {
     ivec2 low = m.pixel & -(1 << m.level);
     ivec2 edge = low + (m.ahead << m.level);
@@ -211,13 +227,13 @@ void walk(MarchScene scene, inout March m, uint range) {
     float next = nextStop(m.s, exits, m.ray.end);
     float before = m.start + m.slope * m.s;
     float after = m.start + m.slope * next;
-    float least = float(range & 0xffffu);
-    float greatest = float(range >> 16u);
-    bool touches = (before >= least || after >= least) && (before <= greatest || after <= greatest);
+    float rangeMin = float(range & 0xffffu);
+    float rangeMax = float(range >> 16u);
+    bool touches = (before >= rangeMin || after >= rangeMin) && (before <= rangeMax || after <= rangeMax);
     m.candidate = touches && m.level == 0;
     m.going = touches || next < m.ray.end;
 
-    // Truncated is as good as floored: it stays in its cell.
+    // Truncation instead of floor: the clamp keeps it in its cell.
     ivec2 over = clamp(ivec2(m.ray.start.xy + m.ray.step.xy * next), low,
                        min(low + ((1 << m.level) - 1), scene.lastPixel));
     if (exits.x <= exits.y) over.x = edge.x + m.ahead.x - 1;
@@ -231,8 +247,8 @@ void walk(MarchScene scene, inout March m, uint range) {
     m.s = touches ? m.s : next;
 }
 
-// First solid the ray enters. `p` has z > 0, `d` is unit length. An origin inside a solid does not count until the ray
-// has left it.
+// First solid that the ray enters. `p` has z > 0, `d` is unit length. The solid that contains the origin does not count
+// until the ray has left it.
 MarchHit march(vec3 p, vec3 d) {
     MarchScene scene = marchScene();
     March m = startMarch(scene, p, d);

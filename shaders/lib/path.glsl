@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The path loop, twin of core/shading/reference_renderer.h. The includer declares `SegmentShading shading[]`, `Drive drives[]`
-// and `float driveValues[]`.
+// The path loop, twin of core/shading/reference_renderer.h. The includer declares `SegmentShading shading[]`,
+// `Drive drives[]` and `float driveValues[]`.
 #ifndef PATINA_PATH_GLSL
 #define PATINA_PATH_GLSL
 
@@ -11,7 +11,7 @@
 #include "shaders/shared/rng.h"
 #include "shaders/shared/shading_point.h"
 
-// Whether any segment has drives: what is not needed is not compiled.
+// 1 if any segment has drives; otherwise their code is not compiled.
 layout(constant_id = 1) const uint kDriven = 1u;
 
 // A surface point on a path.
@@ -20,12 +20,12 @@ struct PathVertex {
     vec3 n;       // shading normal, dot(n, wo) > 0
     vec3 wo;
     uint label;
-    ivec2 pixel;  // that shows it; not for kPathEnter
-    uint role;    // shaders/shared/path.h
-    float eta;    // of the boundary, for kPathEnter
+    ivec2 pixel;  // pixel that shows it; unused for kPathEnter
+    uint role;    // kPath... of shaders/shared/path.h
+    float eta;    // relative index of the boundary, for kPathEnter
 };
 
-// Where its random numbers come from.
+// Counters that a path's random numbers are a function of.
 struct PathId {
     uint pixel;
     uint sampleIndex;
@@ -44,8 +44,8 @@ SegmentShading shadingAt(uint label, ivec2 pixel) {
     return s;
 }
 
-// Where the path goes on from surface b, and the factor on what arrives from there. light: rgb = the environment in that
-// direction, w < 0 = not looked up.
+// Samples the direction in which the path continues from surface b; returns the factor on the radiance from there.
+// light: rgb = the environment in that direction, w < 0 = not looked up.
 vec3 leave(PathVertex v, PathId id, uint b, out vec3 direction, out vec4 light) {
     vec3 wo = to_local(v.n, v.wo);
     vec2 u = b == 0u ? rng_lattice(id.pixel, id.sampleIndex, 0u, id.seed)
@@ -81,8 +81,8 @@ vec3 leave(PathVertex v, PathId id, uint b, out vec3 direction, out vec4 light) 
     return weight;
 }
 
-// The pixel whose colour and normal stand for a hit at p: one of the four around it, by chance as often as bilinear
-// interpolation would weigh it, where the surface goes on there.
+// The pixel whose colour and normal represent a hit at p: one of the four around it where the surface continues, chosen
+// with the probability that bilinear interpolation would weight it by.
 ivec2 shownPixel(MarchHit hit, vec3 p, vec2 u) {
     vec2 uv = geometry.camera.xy * p.xy / p.z + geometry.camera.zw;
     ivec2 q = clamp(ivec2(floor(uv + u - 0.5)), ivec2(0), ivec2(geometry.width, geometry.height) - 1);
@@ -97,7 +97,7 @@ ivec2 shownPixel(MarchHit hit, vec3 p, vec2 u) {
     return same && surface_goes_on(own.xyz, next.xyz, vec2(q - hit.pixel)) ? q : hit.pixel;
 }
 
-// Radiance that leaves `v` towards v.wo along one path of up to `bounces` surfaces.
+// Radiance leaving `v` towards v.wo along one path of up to `bounces` surfaces.
 vec3 pathRadiance(PathVertex v, PathId id, uint bounces) {
     vec3 radiance = vec3(0.0);
     vec3 throughput = vec3(1.0);

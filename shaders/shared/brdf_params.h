@@ -13,10 +13,10 @@ struct BrdfParams {
     vec4 eta;       // rgb = index of refraction, real part
     vec4 k;         // rgb = extinction coefficient
     vec4 values;    // the BRDF's own parameters 0 to 3, in its table's order
-    vec4 values2;   // 4 to 7
-    vec4 values3;   // 8 to 11
+    vec4 values2;   // parameters 4 to 7
+    vec4 values3;   // parameters 8 to 11
     uint type;      // index in shaders/brdf/registry.h
-    uint file;      // measured: first number of the table in kernels; user's: what tells one text from another
+    uint file;      // measured: first number of the table in kernels; user's: distinguishes one text from another
 #ifdef __cplusplus
     const float* measured;  // measured: the table (shaders/brdf/measured.h), for the reference renderer
 #else

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of build_pyramid.comp (push constants): one dispatch per level, from the finest upwards.
+// Parameters of build_pyramid.comp (immediates): one dispatch per level, from the finest upwards.
 #ifndef PATINA_BUILD_PYRAMID_BLOCK_H
 #define PATINA_BUILD_PYRAMID_BLOCK_H
 
@@ -20,7 +20,7 @@ struct BuildPyramidBlock {
     uint finest;        // GeometryBlock::pyramidFinest
     uint blocks;        // GeometryBlock::pyramidBlocks
     uint rows;          // GeometryBlock::pyramidRows
-    float leastW;       // GeometryBlock::leastW [1/m]
+    float minW;         // GeometryBlock::minW [1/m]
     float scale;        // rangeScale
     uint pad0;
     uint pad1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Push constants and bindings of canvas.frag, which draws what the window shows.
+// Immediates and bindings of canvas.frag, which draws what the window shows.
 #ifndef PATINA_CANVAS_BLOCK_H
 #define PATINA_CANVAS_BLOCK_H
 
@@ -10,7 +10,7 @@
 #define CANVAS_MASK 2
 #define CANVAS_RULER_IMAGE 3
 
-// Specialization constants: a software device runs both sides of every branch, so what is not needed must not be there.
+// Specialization constants, because a software device executes both sides of every branch.
 #define CANVAS_FILTER 0  // 0 = nearest, 1 = bilinear, n > 1 = box of n x n taps
 #define CANVAS_FLAGS 1
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of check_brdf.comp (push constants).
+// Parameters of check_brdf.comp (immediates).
 #ifndef PATINA_CHECK_BRDF_BLOCK_H
 #define PATINA_CHECK_BRDF_BLOCK_H
 
@@ -34,7 +34,7 @@ struct CheckBrdfCase {
 };
 KERNEL_BLOCK(CheckBrdfCase, 144)
 
-/// The first samples of a case have random numbers at the ends of their range.
+/// Number of first samples of a case whose random numbers are at the ends of their range.
 const uint kCheckBrdfCorners = 16u;
 
 const uint kCheckLoops = 1u;  // the values of shaders/brdf/user.h
@@ -52,7 +52,7 @@ KERNEL_BLOCK(CheckBrdfSample, 32)
 /// Means over the points of a cell.
 struct CheckBrdfSums {
     vec4 value;   // rgb: the BRDF times the cosine; w: the density
-    vec4 square;  // of the same
+    vec4 square;  // squares of the same
     vec4 fault;   // xyz: the first direction at which something was wrong; w = faults
     vec4 other;   // x: |f(wo, wi) − f(wi, wo)| times the cosine
 };

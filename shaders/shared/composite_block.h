@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of composite.comp (push constants): blend of one segment's new radiance with the photograph.
+// Parameters of composite.comp (immediates): blend of one segment's new radiance with the photograph.
 #ifndef PATINA_COMPOSITE_BLOCK_H
 #define PATINA_COMPOSITE_BLOCK_H
 
@@ -25,7 +25,7 @@ struct CompositeBlock {
     float translucentWeight;
     float eta;         // relative index of refraction of the boundary
     uint translucent;  // 1: add translucentWeight times the translucent light
-    uint firstDrive;   // of those that vary the weights
+    uint firstDrive;   // first of the drives of the weights
     uint driveCount;
     uint pad0;
     uint pad1;

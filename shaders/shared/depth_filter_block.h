@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of analysis/depth_filter.comp (push constants).
+// Parameters of analysis/depth_filter.comp (immediates).
 #ifndef PATINA_DEPTH_FILTER_BLOCK_H
 #define PATINA_DEPTH_FILTER_BLOCK_H
 
@@ -15,6 +15,9 @@
 #define DEPTH_FILTER_CELLS 16
 
 KERNEL_BEGIN
+
+/// Squared residual, in units of its range, from which on a pair of pixels belongs to another surface; in both twins.
+const float kMaxSquaredResidual = 64.0f;
 
 struct DepthFilterBlock {
     uint width;          // [px]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The grids that light below a surface is summed on (core/shading/diffusion_grid.h states the method): what the kernels
-// and core share.
+// The grids on which light below a surface is summed (core/shading/diffusion_grid.h states the method), as far as
+// kernels and core share them.
 #ifndef PATINA_DIFFUSION_H
 #define PATINA_DIFFUSION_H
 
@@ -23,16 +23,16 @@ KERNEL_FN float diffusion_spline(float t) {
     return 0.5f * a * a - 1.5f * b * b;
 }
 
-/// What an irradiance of 1 everywhere gives, from what samples make of it: they lie denser here and sparser there,
-/// which would show as blotches. Within `tolerance` (a few standard deviations of that) of what a flat surface gives it
-/// is that; what departs more from it, as thin parts and edges do, is kept (a non-negative garrote [Bre95]).
+/// Exitance for an irradiance of 1 everywhere, from its estimate by samples (`whole`). The uneven density of samples
+/// would show as blotches, so an estimate within `tolerance` (a few standard deviations) of that of a flat surface is
+/// replaced by it; larger deviations, as at thin parts and edges, are kept (a non-negative garrote [Bre95]).
 KERNEL_FN float diffusion_whole(float whole, float flatSurface, float tolerance) {
     float d = whole - flatSurface;
     return d * d > tolerance * tolerance ? flatSurface + d * (1.0f - tolerance * tolerance / (d * d)) : flatSurface;
 }
 
-/// Light that leaves: what samples sum to, relative to what they would at an irradiance of 1 (`whole`), so that their
-/// uneven spread cancels, and never more than was received.
+/// Exitance from the samples' sum, relative to their sum for an irradiance of 1 (`whole`), so that their uneven density
+/// cancels; never more than was received.
 KERNEL_FN float diffusion_exitance(float sum, float whole, float flatSurface, float tolerance) {
     float known = max(whole, max(0.01f * flatSurface, 1e-20f));
     return max(sum, 0.0f) / known * min(max(diffusion_whole(whole, flatSurface, tolerance), 0.0f), 1.0f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters (push constants) and bindings of the kernels that sum light below a surface
+// Parameters (immediates) and bindings of the kernels that sum light below a surface
 // (core/shading/diffusion_grid.h).
 #ifndef PATINA_DIFFUSION_BLOCKS_H
 #define PATINA_DIFFUSION_BLOCKS_H
@@ -23,11 +23,11 @@
 #define DIFFUSION_SMOOTH_FROM 1  // vec4 per cell
 #define DIFFUSION_SMOOTH_TO 2    // vec4 per cell
 
-// diffusion_combine.comp: a level's part of the sum, and what all coarser ones have.
+// diffusion_combine.comp: a level's part of the sum, added to that of all coarser levels.
 #define DIFFUSION_COMBINE_BRICKS 0
 #define DIFFUSION_COMBINE_NARROW 1  // vec4 per cell: light and area, smoothed twice
 #define DIFFUSION_COMBINE_WIDE 2    // vec4 per cell: light and area, smoothed four times
-#define DIFFUSION_COMBINE_SUM 3     // 2 vec4 per cell: sum of light; of area, which is that of an irradiance of 1
+#define DIFFUSION_COMBINE_SUM 3     // 2 vec4 per cell: sum of light; sum of area, which is that for an irradiance of 1
 
 // diffusion_gather.comp: the sum onto pixels.
 #define DIFFUSION_GATHER_BRICKS 0
@@ -48,7 +48,7 @@ KERNEL_BLOCK(DiffusionGridBlock, 16)
 
 struct DiffusionCombineBlock {
     vec4 narrow;  // rgb = weight of the light smoothed twice
-    vec4 wide;    // of the light smoothed four times
+    vec4 wide;    // rgb = weight of the light smoothed four times
     uint firstBrick;
     uint brickCount;
     float coarser;  // weight of the coarser levels' sum: 1, or 0 for the coarsest
@@ -58,12 +58,12 @@ KERNEL_BLOCK(DiffusionCombineBlock, 48)
 
 struct DiffusionGatherBlock {
     vec4 corner;       // xyz = corner of the grids in their axes [m]; w = cell of the level to read [m]
-    vec4 flatSurface;  // rgb = what a flat surface makes of an irradiance of 1
-    vec4 tolerance;    // rgb = of that, for the spread of samples
+    vec4 flatSurface;  // rgb = exitance of a flat surface for an irradiance of 1
+    vec4 tolerance;    // rgb = deviation from it that the spread of samples explains
     uint firstPixel;
     uint pixelCount;
     uint level;  // 0 = the finest
-    uint known;  // 0: only clears
+    uint known;  // 0: only clear the pixels
 };
 KERNEL_BLOCK(DiffusionGatherBlock, 64)
 

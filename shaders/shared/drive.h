@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A parameter that varies over the pixels of a segment, and how a stored value becomes the parameter's. Shared by
-// kernels and the reference renderer; core/shading/drives.h makes the tables.
+// A parameter that varies over the pixels of a segment, and its value from a stored one. Shared by kernels and the
+// reference renderer; core/shading/drive_table.h makes the tables.
 #ifndef PATINA_DRIVE_H
 #define PATINA_DRIVE_H
 
@@ -10,10 +10,10 @@ KERNEL_BEGIN
 
 struct Drive {
     vec4 from;    // rgb = the parameter's value where t = 0 (scalars: x); w = gain
-    vec4 to;      // rgb = where t = 1; w = stored value that becomes t = range.x
-    vec4 range;   // x = t of the stored value to.w; y, z = least and greatest t
+    vec4 to;      // rgb = the value where t = 1; w = stored value for which t = range.x
+    vec4 range;   // x = t of the stored value to.w; y, z = range of t
     uint slot;    // kDrive...
-    uint offset;  // of the plane of stored values
+    uint offset;  // first of the plane of stored values
     uint origin;  // pixel of the plane's first value, x | y << 16
     uint stride;  // values in a row of the plane
 };

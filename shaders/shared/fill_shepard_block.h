@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of analysis/fill_shepard.comp (push constants).
+// Parameters of analysis/fill_shepard.comp (immediates).
 #ifndef PATINA_FILL_SHEPARD_BLOCK_H
 #define PATINA_FILL_SHEPARD_BLOCK_H
 
@@ -14,10 +14,10 @@ KERNEL_BEGIN
 
 struct FillShepardBlock {
     uint levelCount;
-    uint first;       // target of the slice
-    uint count;       // targets of the slice
-    float opening;    // a group counts as one when its radius is smaller than this fraction of its distance
-    float leastCube;  // of a distance [rad^3]
+    uint first;     // target of the slice
+    uint count;     // targets of the slice
+    float opening;  // a group counts as one when its radius is smaller than this fraction of its distance
+    float minCube;  // smallest cube of a distance [rad^3]
     uint pad0;
     uint pad1;
     uint pad2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of filter.comp (push constants): one level of the edge-aware filter, over some pixels of one segment.
+// Parameters of filter.comp (immediates): one level of the edge-aware filter, over some pixels of one segment.
 #ifndef PATINA_FILTER_BLOCK_H
 #define PATINA_FILTER_BLOCK_H
 

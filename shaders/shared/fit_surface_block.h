@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of analysis/fit_surface.comp (push constants).
+// Parameters of analysis/fit_surface.comp (immediates).
 #ifndef PATINA_FIT_SURFACE_BLOCK_H
 #define PATINA_FIT_SURFACE_BLOCK_H
 
@@ -14,6 +14,27 @@
 #define FIT_SURFACE_MAX_TAPS 25
 
 KERNEL_BEGIN
+
+// Constants of both twins (core/analysis/depth/normals.cpp, which explains the fit).
+
+/// Smallest cosine of view taken for a patch's area, so that one grazing pixel cannot outweigh a segment.
+const float kMinViewCosine = 0.02f;
+/// Inverse depth that is on no plane [1/m].
+const float kNothing = 1.0e9f;
+/// Two sides of a pixel disagree when one deviates from a line this many times as much as the other.
+const float kMaxSideRatio = 6.0f;
+/// Smallest step over an occluding contour, relative to the step before it.
+const float kContourJump = 6.0f;
+/// Distances of a pixel to the contour that are searched [px]; the slope is infinite on the contour itself.
+const float kMinContourDistance = 0.02f;
+const float kMaxContourDistance = 100.0f;
+const int kContourBisections = 16;
+/// Ratio of neighbouring steps from which on they do not end like a square root.
+const float kMaxContourRatio = 0.95f;
+/// Tolerance of the third step, relative to the first.
+const float kContourTolerance = 0.05f;
+/// Weight of the guessed slope, relative to that of the pixels.
+const float kSlopeStiffness = 1.0e-4f;
 
 struct FitSurfaceBlock {
     vec4 camera;          // fx, fy, cx, cy [px]

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every kernel that looks at the photographed scene reads: bind group 0 (shaders/lib/geometry.glsl).
+// The photographed scene as kernels read it: bind group 0 (shaders/lib/geometry.glsl).
 #ifndef PATINA_GEOMETRY_BLOCK_H
 #define PATINA_GEOMETRY_BLOCK_H
 
 #include "shaders/shared/interop.h"
 
-#define GEOMETRY_BLOCK 0         // GeometryBlock
-#define GEOMETRY_PYRAMID 1       // uint per cell: packRange; where: pyramidTexel of pyramidIndex
-#define GEOMETRY_FRONT_PATCH 2   // w [1/m], dw/du, dw/dv [1/(m px)], label
-#define GEOMETRY_BACK_PATCH 3    // w, dw/du, dw/dv, unused
-#define GEOMETRY_FRONT_COLOR 4   // radiance
-#define GEOMETRY_BACK_COLOR 5    // radiance
-#define GEOMETRY_FRONT_NORMAL 6  // unit, outward
-#define GEOMETRY_BACK_NORMAL 7   // unit, outward
-#define GEOMETRY_ENVIRONMENT \
-    8  // radiance, latitude-longitude (core/base/directional_map.h); a = density of its sampling [1/sr]
+#define GEOMETRY_BLOCK 0              // GeometryBlock
+#define GEOMETRY_PYRAMID 1            // uint per cell: packRange; where: pyramidTexel of pyramidIndex
+#define GEOMETRY_FRONT_PATCH 2        // w [1/m], dw/du, dw/dv [1/(m px)], label
+#define GEOMETRY_BACK_PATCH 3         // w, dw/du, dw/dv, unused
+#define GEOMETRY_FRONT_COLOR 4        // radiance
+#define GEOMETRY_BACK_COLOR 5         // radiance
+#define GEOMETRY_FRONT_NORMAL 6       // unit, outward
+#define GEOMETRY_BACK_NORMAL 7        // unit, outward
+#define GEOMETRY_ENVIRONMENT 8        // radiance, latitude-longitude; a = density of its sampling [1/sr]
 #define GEOMETRY_ENVIRONMENT_TABLE 9  // float: core::EnvironmentSampler::table()
 
 KERNEL_BEGIN
@@ -34,8 +33,8 @@ struct GeometryBlock {
     uint pyramidFinest;       // finest level that is stored; 0: the pixels, as long as the device's buffers hold them
     uint pyramidRows;         // rows of cells of the finest level, rounded up so that each level has half as many
     uint pyramidBlocks;       // blocks of 4x4 cells along a row
-    float leastW;             // all solids lie between them [1/m]; leastW > greatestW: there is none
-    float greatestW;
+    float minW;               // all solids lie between them [1/m]; minW > maxW: there is none
+    float maxW;
     uint pad0;
 };
 KERNEL_BLOCK(GeometryBlock, 80)
@@ -44,7 +43,7 @@ KERNEL_BLOCK(GeometryBlock, 80)
 const float kEmptyRangeMin = 3.0e38f;
 const float kEmptyRangeMax = -3.0e38f;
 
-// Range [least, greatest] w of the solid in one pixel: the patches linear over the pixel, rounding included.
+// Range of w of the solid in one pixel: the patches linear over the pixel, rounding included.
 KERNEL_FN vec2 pixelRange(vec4 frontPatch, vec4 backPatch) {
     if (!(frontPatch.x > 0.0f)) return vec2(kEmptyRangeMin, kEmptyRangeMax);
     float frontMax = frontPatch.x + 0.5f * (abs(frontPatch.y) + abs(frontPatch.z));
@@ -52,26 +51,26 @@ KERNEL_FN vec2 pixelRange(vec4 frontPatch, vec4 backPatch) {
     return vec2(backMin - 1.0e-6f * abs(backMin), frontMax + 1.0e-6f * abs(frontMax));
 }
 
-// Inverse depth in the pyramid's unit, of which a cell stores the least and the greatest value in 16 bits each.
-KERNEL_FN float rangeScale(float leastW, float greatestW) {
-    // Below this span, rounding of a ray's w would count.
-    return 65528.0f / max(greatestW - leastW, 0.05f * greatestW);
+// Scale from inverse depth to the pyramid's unit; a cell stores the smallest and the largest value in 16 bits each.
+KERNEL_FN float rangeScale(float minW, float maxW) {
+    // Smallest span for which rounding of a ray's w does not matter.
+    return 65528.0f / max(maxW - minW, 0.05f * maxW);
 }
 
-const uint kEmptyCell = 0x0000ffffu;  // least > greatest
+const uint kEmptyCell = 0x0000ffffu;  // smallest > largest
 
-// Where w = leastW is, so that ranges can be rounded outwards.
+// Position of w = minW, which leaves room for rounding outwards.
 const float kRangeStart = 4.0f;
 
 // Cell that holds [range.x, range.y], rounded outwards by more than a ray's w may be off; `scale`: rangeScale.
-KERNEL_FN uint packRange(vec2 range, float leastW, float scale) {
+KERNEL_FN uint packRange(vec2 range, float minW, float scale) {
     if (!(range.x <= range.y)) return kEmptyCell;
-    float low = clamp((range.x - leastW) * scale + (kRangeStart - 2.0f), 0.0f, 65535.0f);
-    float high = clamp((range.y - leastW) * scale + (kRangeStart + 3.0f), 0.0f, 65535.0f);
+    float low = clamp((range.x - minW) * scale + (kRangeStart - 2.0f), 0.0f, 65535.0f);
+    float high = clamp((range.y - minW) * scale + (kRangeStart + 3.0f), 0.0f, 65535.0f);
     return uint(low) | (uint(high) << 16u);
 }
 
-// What holds two cells.
+// Range that contains those of two cells.
 KERNEL_FN uint joinRanges(uint a, uint b) { return min(a & 0xffffu, b & 0xffffu) | (max(a >> 16u, b >> 16u) << 16u); }
 
 // Where cell (x, y) of a level is stored, `step` levels above the finest one, which has `rows` rows (GeometryBlock).
@@ -82,8 +81,8 @@ KERNEL_FN uint pyramidIndex(uint x, uint y, uint step, uint rows, uint blocks) {
     return (((y >> 2u) * blocks + (x >> 2u)) << 4u) + ((y & 3u) << 2u) + (x & 3u);
 }
 
-// The pyramid is a texture because processors read one by eight lanes at once, and a buffer lane by lane. The index of
-// a cell counts its texels row by row.
+// The pyramid is a texture, because drivers read one for eight lanes at once and a buffer lane by lane. The index of a
+// cell counts the texels row by row.
 const uint kPyramidWidth = 4096u;  // [texel]; any device has textures as wide
 KERNEL_FN uvec2 pyramidTexel(uint index) { return uvec2(index & (kPyramidWidth - 1u), index / kPyramidWidth); }
 

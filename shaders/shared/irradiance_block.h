@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of irradiance.comp (push constants): some rays of some surface samples.
+// Parameters of irradiance.comp (immediates): some rays of some surface samples.
 #ifndef PATINA_IRRADIANCE_BLOCK_H
 #define PATINA_IRRADIANCE_BLOCK_H
 

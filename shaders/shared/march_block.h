@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of march_rays.comp and march_constant.comp (push constants).
+// Parameters of march_rays.comp and march_constant.comp (immediates).
 #ifndef PATINA_MARCH_BLOCK_H
 #define PATINA_MARCH_BLOCK_H
 
@@ -16,7 +16,7 @@ struct MarchBlock {
     float stepSize;     // constant steps only [m]
     float maxDistance;  // constant steps only [m]
     float without;      // pyramid only: pixels with this label count as empty; -1 = none
-    uint workers;       // pyramid only: neighbouring shares go to so many equal parts of the workgroups
+    uint workers;       // pyramid only: number of equal parts of the workgroups that neighbouring shares go to in turn
     uint groupsPerWorker;
     uint pad0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a path does at a surface, shared by the re-shading kernels and the reference renderer
+// Scattering of a path at a surface, shared by the re-shading kernels and the reference renderer
 // (core/shading/reference_renderer.h states the whole loop).
 #ifndef PATINA_PATH_H
 #define PATINA_PATH_H
@@ -15,7 +15,7 @@ struct SegmentShading {
     BrdfParams brdf;
     vec4 diffuse;  // rgb = albedo of the translucent body as other surfaces see it; w = 1: edited, else 0
     vec4 blend;    // x = weight of the new radiance, y = of the photograph, z = probability of the diffuse part at a
-                   // hit, w = 1: paths go on here, else they end with the photograph's colour
+                   // hit, w = 1: paths continue here, 0: they end with the photograph's colour
     uvec4 drives;  // x = first of the segment's drives that paths follow, y = how many;
                    // z, w: those of the composite
 };
@@ -55,12 +55,12 @@ KERNEL_FN SegmentShading drive_apply(SegmentShading s, uint slot, vec3 value) {
     return s;
 }
 
-/// What a path does at a surface.
-const uint kPathPrimary = 0u;  // the surface the camera sees, whose translucency is added elsewhere
-const uint kPathLater = 1u;    // a surface met on the way: a translucent body is a Lambert one of the same albedo
-const uint kPathEnter = 2u;    // light that enters a translucent body: cosine times Fresnel transmission
+/// Role of a surface on a path.
+const uint kPathPrimary = 0u;  // surface seen by the camera; its translucency is added elsewhere
+const uint kPathLater = 1u;    // surface hit later: a translucent body is a Lambert surface of the same albedo
+const uint kPathEnter = 2u;    // entry into a translucent body: cosine times Fresnel transmission
 
-/// Density of path_scatter at `wi` [1/sr]; what it lacks to an integral of one is absorbed. Directions are in the
+/// Density of path_scatter at `wi` [1/sr]; the rest of its integral to one is absorbed. Directions are in the
 /// shading frame.
 KERNEL_FN float path_pdf(SegmentShading s, uint role, vec3 wo, vec3 wi) {
     if (role == kPathEnter) return max(wi.z, 0.0f) * kInvPi;
@@ -80,8 +80,8 @@ KERNEL_FN vec3 path_value(SegmentShading s, uint role, float eta, vec3 wo, vec3 
     return f * wi.z;
 }
 
-/// Samples where a path goes on from a surface, by the surface's own lobes. Returns wi (wi.z <= 0: absorbed) and the
-/// factor on what arrives from there, path_value / path_pdf.
+/// Samples the direction in which a path continues from a surface, by the surface's own lobes. Returns wi (wi.z <= 0:
+/// absorbed) and the factor on what arrives from there, path_value / path_pdf.
 KERNEL_FN vec3 path_scatter(SegmentShading s, uint role, float eta, vec3 wo, vec2 u, KERNEL_OUT(vec3) weight) {
     weight = vec3(0.0f);
     if (role == kPathEnter) {
@@ -108,7 +108,7 @@ KERNEL_FN vec3 path_scatter(SegmentShading s, uint role, float eta, vec3 wo, vec
     return wi;
 }
 
-/// A direction a path may go on in: by the surface's own sampling, or by the environment's.
+/// A direction in which a path may continue: by the surface's own sampling, or by the environment's.
 struct PathCandidate {
     vec3 weight;          // path_value over the density of the candidate's own sampling
     float pdf;            // that density [1/sr]
@@ -116,12 +116,12 @@ struct PathCandidate {
     float expectedLight;  // luminance that may come from there
 };
 
-/// The surface's own candidate keeps at least this chance: what it meets in the scene may be brighter than expected,
-/// and what the environment's candidate expects may be hidden.
-const float kLeastSurfaceChance = 0.25f;
+/// Minimum probability of the surface's own candidate: objects that it hits may be brighter than expected, and the
+/// environment's candidate may be occluded.
+const float kMinSurfaceChance = 0.25f;
 
-/// The balance heuristic counts the surface's candidate as this many: with one, lobes narrower than the lights get
-/// noisier.
+/// Number of candidates that the surface's counts as in the balance heuristic; with one, lobes narrower than the lights
+/// get noisier.
 const float kSurfaceCandidates = 2.0f;
 
 /// Chooses one of two candidates by what it may be expected to contribute, and returns the factor on what arrives from
@@ -137,7 +137,7 @@ KERNEL_FN vec3 path_choose(PathCandidate surface, PathCandidate light, float u, 
     chosen = 0u;
     if (expectedB <= 0.0f) return a;
     float chance = expectedA / (expectedA + expectedB);
-    if (expectedA > 0.0f) chance = max(chance, kLeastSurfaceChance);
+    if (expectedA > 0.0f) chance = max(chance, kMinSurfaceChance);
     if (u < chance) return a / chance;
     chosen = 1u;
     return b / (1.0f - chance);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of analysis/relax_membrane.comp (push constants).
+// Parameters of analysis/relax_membrane.comp (immediates).
 #ifndef PATINA_RELAX_MEMBRANE_BLOCK_H
 #define PATINA_RELAX_MEMBRANE_BLOCK_H
 

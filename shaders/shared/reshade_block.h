@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of reshade.comp (push constants): one slice of one segment's paths.
+// Parameters of reshade.comp (immediates): one slice of one segment's paths.
 #ifndef PATINA_RESHADE_BLOCK_H
 #define PATINA_RESHADE_BLOCK_H
 

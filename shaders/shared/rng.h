@@ -47,14 +47,14 @@ KERNEL_FN vec2 rng_vec2(uint pixel, uint sampleIndex, uint dimension, uint seed)
 }
 
 /// The same for the first decision of a path, where even spread pays most: successive samples of one pixel step through
-/// the plane by the lattice of [Rob18] (the plastic number's powers), from a random start. Each number alone is
-/// uniform, so every mean stays what it was; only its noise is less.
+/// the plane by the lattice of [Rob18] (powers of the plastic number), from a random start. Each number alone is
+/// uniform, so means are unchanged and only noise is reduced.
 KERNEL_FN vec2 rng_lattice(uint pixel, uint sampleIndex, uint dimension, uint seed) {
     uvec4 h = rng_hash(uvec4(pixel, 0xffffffffu, dimension, seed));
     return vec2(rng_to_float(h.x + sampleIndex * 3242174889u), rng_to_float(h.y + sampleIndex * 2447445414u));
 }
 
-/// Where in its pixel a path starts: a lattice (the powers of the square roots of 2 and 3) that no other one follows.
+/// Position in its pixel at which a path starts, in a lattice of its own (the square roots of 2 and 3).
 KERNEL_FN vec2 rng_pixel(uint pixel, uint sampleIndex, uint seed) {
     uvec4 h = rng_hash(uvec4(pixel, 0xffffffffu, 0x40000000u, seed));
     return vec2(rng_to_float(h.x + sampleIndex * 1779033703u), rng_to_float(h.y + sampleIndex * 3144134277u));
@@ -69,7 +69,7 @@ KERNEL_FN vec3 rng_light(uint pixel, uint sampleIndex, uint b, uint seed) {
                 rng_to_float(h.z + step * 2654435769u));
 }
 
-/// Which of the four pixels around a path's hit number b stands for it.
+/// Chooses which of the four pixels around hit number b of a path represents it.
 KERNEL_FN vec2 rng_hit(uint pixel, uint sampleIndex, uint b, uint seed) {
     uvec4 h = rng_hash(uvec4(pixel, sampleIndex, 0xc0000000u + b, seed));
     return vec2(rng_to_float(h.x), rng_to_float(h.y));

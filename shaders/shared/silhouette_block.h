@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of silhouette.comp (push constants): the partly covered pixels at one segment's outline.
+// Parameters of silhouette.comp (immediates): the partly covered pixels at one segment's outline.
 #ifndef PATINA_SILHOUETTE_BLOCK_H
 #define PATINA_SILHOUETTE_BLOCK_H
 
@@ -15,7 +15,7 @@ KERNEL_BEGIN
 /// core::SilhouettePixel as the kernel reads it.
 struct MixedPixel {
     uint pixel;   // x | y << 16
-    uint source;  // the same
+    uint source;  // x | y << 16
     float coverage;
     float pad0;
     vec4 kept;          // rgb
@@ -26,7 +26,7 @@ KERNEL_BLOCK(MixedPixel, 48)
 struct SilhouetteBlock {
     uint pixelCount;
     float blendOriginal;
-    uint firstDrive;  // of those that vary the weights
+    uint firstDrive;  // first of the drives of the weights
     uint driveCount;
 };
 KERNEL_BLOCK(SilhouetteBlock, 16)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Latency of the real window: drags a material's slider with the mouse and times how long it takes until a frame with
-// the new material is presented. `./dev bench-window` starts it on a virtual display.
+// Latency of the real window: drags a material's slider with the mouse and measures the time until a frame with the
+// new material is presented. `./dev bench-window` starts it on a virtual display.
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QComboBox>
@@ -40,7 +40,7 @@ double quantile(std::vector<double> values, double q) {
     return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1))];
 }
 
-/// Middle of the slider's handle when it stands at `value`.
+/// Centre of the slider's handle at `value`.
 QPoint handle(QSlider& slider, int value) {
     QStyleOptionSlider option;
     option.initFrom(&slider);
@@ -98,7 +98,7 @@ int run(const Options& options) {
     mouse.setTimerType(Qt::PreciseTimer);
     QObject::connect(&mouse, &QTimer::timeout, &dragging, [&] {
         if (now() - start >= options.seconds * 1000) return dragging.quit();
-        const double phase = (now() - start) / 4000;  // to and fro in four seconds
+        const double phase = (now() - start) / 4000;  // back and forth in four seconds
         const double triangle = std::abs(phase - std::floor(phase) - 0.5) * 2;
         QTest::mouseMove(slider, handle(*slider, static_cast<int>(100 + 800 * triangle)));
     });
@@ -130,7 +130,9 @@ int main(int argc, char** argv) {
     app.add_option("--segment", options.segment, "Name of the segment to edit")->capture_default_str();
     app.add_option("--brdf", options.brdf, "BRDF to give it")->capture_default_str();
     app.add_option("--parameter", options.parameter, "Key of the parameter to drag")->capture_default_str();
-    app.add_option("--seconds", options.seconds, "How long to drag")->capture_default_str()->check(CLI::Range(1, 600));
+    app.add_option("--seconds", options.seconds, "Duration of the drag [s]")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 600));
     CLI11_PARSE(app, argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("PatinaTests"));
     QCoreApplication::setApplicationName(QStringLiteral("window_bench"));

@@ -36,7 +36,7 @@ const std::vector<std::pair<const char*, core::EnvironmentFill>>& environmentFil
     return kFills;
 }
 
-/// The scene with nothing to do after the back side.
+/// The scene without glossy segments and with a tiny environment: nearly no work after the back side.
 core::Scene geometryOnly(core::Scene scene) {
     for (core::Segment& segment : scene.segments) segment.glossy = false;
     scene.environment.height = 4;
@@ -93,8 +93,8 @@ Json normalReport(const SceneFolder& folder, const core::ImageV3& truth) {
     return segments;
 }
 
-/// Total patch area over the one computed from true depth and normals, minus 1. Angles of view beyond 88.9 degrees
-/// count as that in both, or one grazing pixel would decide.
+/// Relative error of the total patch area against the one computed from true depth and normals. Viewing angles are
+/// clamped to 88.9 degrees in both; otherwise a single grazing pixel would dominate.
 Json areaReport(const SceneFolder& folder, const core::Surface& front, const core::ImageV3& truth) {
     const core::Photo& photo = *folder.scene.photo;
     const core::Camera& camera = photo.camera;
@@ -126,7 +126,7 @@ Json areaReport(const SceneFolder& folder, const core::Surface& front, const cor
     return report;
 }
 
-/// |z_back − truth| over the object's median true thickness, by method.
+/// |z_back − truth| relative to the object's median true thickness, by method.
 Json backSideReport(const SceneFolder& folder) {
     const core::ImageF truth = trueBackDepth(folder);
     const core::Photo& photo = *folder.scene.photo;

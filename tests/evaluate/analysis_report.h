@@ -8,14 +8,14 @@
 
 namespace evaluate {
 
-/// The segment of the reference scenes that everything stands on: half of the picture and a plane, so that it would
-/// hide everything else in an overall figure.
+/// The segment of the reference scenes that all objects stand on. It is a plane and covers half of the picture, so it
+/// would dominate an overall figure.
 inline constexpr const char* kTable = "table";
 inline constexpr const char* kAllButTable = "all but the table";
 inline constexpr const char* kAll = "all";
 
-/// What the analysis recovers of one scene against the truth: normals from exact and from noisy depth without and with
-/// the filter, patch areas, back sides by method, reflectances, lobe widths, the light by way of filling. Keys are
+/// Errors of the analysis of one scene against ground truth: normals from exact and from noisy depth, with and without
+/// the filter; patch areas; back sides by method; reflectances; lobe widths; the light by filling method. The keys are
 /// those of docs/evaluation.md.
 [[nodiscard]] Json analysisReport(const SceneFolder& folder, core::AnalysisPipeline& pipeline);
 

@@ -95,7 +95,7 @@ void ContactSheet::addRow(std::vector<Cell> cells) {
 void ContactSheet::save(const std::string& path) const {
     std::size_t columns = 0;
     for (const auto& row : rows_) columns = std::max(columns, row.size());
-    // Rows are as high as their highest picture: nothing is gained by black bars.
+    // Each row is as high as its highest picture, without black bars.
     int height = 0;
     std::vector<int> tops;
     for (const auto& row : rows_) {

@@ -9,15 +9,15 @@
 
 namespace evaluate {
 
-/// Rows of small pictures of one size with captions, for looking at many results at once.
+/// Rows of small pictures of one size with captions: an overview of many results.
 class ContactSheet {
   public:
     struct Cell {
         std::string caption;
-        core::ImageRgb picture;  ///< display-encoded, any size; an empty one leaves the cell free
+        core::ImageRgb picture;  ///< display-encoded, any size; empty = no picture
     };
 
-    /// Size of a cell's picture [px]; its caption comes on top of that.
+    /// Size of a cell's picture [px], without its caption.
     ContactSheet(int cellWidth, int cellHeight) : cellWidth_(cellWidth), cellHeight_(cellHeight) {}
     void addRow(std::vector<Cell> cells);
     [[nodiscard]] bool empty() const { return rows_.empty(); }
@@ -30,8 +30,8 @@ class ContactSheet {
     std::vector<std::vector<Cell>> rows_;
 };
 
-/// Draws one line of text, white on what is there, top left corner at (x, y): capitals 5 × 7 pixels, 6 apart. Small
-/// letters are drawn as capitals, characters without a shape as blanks.
+/// Draws one line of white text with its top left corner at (x, y): capitals of 5 × 7 pixels, 6 pixels apart. Small
+/// letters are drawn as capitals, unknown characters as blanks.
 void drawText(core::ImageRgb& picture, int x, int y, std::string_view text);
 
 }  // namespace evaluate

@@ -7,8 +7,8 @@
 
 namespace evaluate {
 
-/// A device for one piece of work. Drivers keep what they compiled for a device as long as it lives (Mesa's software
-/// device hundreds of MB after some renderings), so a long evaluation takes a new one for every edit.
+/// A device for one task. Drivers keep compiled kernels for the lifetime of a device (hundreds of MB after some
+/// renderings with Mesa's software device), so a long evaluation creates a new device for every edit.
 [[nodiscard]] inline gpu::Device newDevice() {
     return gpu::Instance::create().requestAdapter({}).requestDevice({.label = "evaluate"});
 }

@@ -39,7 +39,7 @@ double weightedMedian(std::vector<std::pair<double, double>> valueAndWeight) {
     return kNone;
 }
 
-/// Calls `add(index, solidAngle)` for every texel whose known share is at least one half, or below it.
+/// Calls `add(index, solidAngle)` for every texel whose known share is at least one half, or for all others.
 template <class Add>
 void forTexels(const ImageRgb& known, bool observed, const Add& add) {
     for (int y = 0; y < known.height(); ++y) {
@@ -84,7 +84,7 @@ DirectionalError compareDirections(const Maps& fine, const Maps& blurred, bool o
 }  // namespace
 
 ImageRgb resampledMap(const ImageRgb& map, int height) {
-    // Enough points per texel that every source texel is met.
+    // Enough points per texel to reach every source texel.
     const int points = std::max(2, 2 * ((map.height() + height - 1) / height));
     const DirectionalMap source{map, {}};
     ImageRgb result(2 * height, height);

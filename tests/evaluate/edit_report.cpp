@@ -48,7 +48,8 @@ core::Image<std::uint8_t> dilatedMask(const core::LabelImage& labels, std::uint1
     return mask;
 }
 
-/// The picture as it would be if the edit stopped at the label: what the outline's mixed pixels were made of, undone.
+/// The picture with mixed pixels of the outline unmixed: only the edited surface inside the label, the photograph
+/// outside.
 core::ImageRgb stoppedAtLabel(const core::Scene& scene, const Edit& edit, const core::ImageRgb& picture) {
     std::vector<std::uint8_t> edited(std::size_t{edit.label} + 1, 0);
     edited[edit.label] = 1;

@@ -9,8 +9,8 @@
 
 namespace evaluate {
 
-/// One edit as it was, as Patina renders it from what it recovered, with the true light, with the true light and back
-/// side, and as it is. Scene-linear.
+/// One edit in five pictures: the photograph; Patina's rendering from recovered data, with the true light, with the
+/// true light and back side; and ground truth. Scene-linear.
 struct EditPictures {
     core::ImageRgb unedited, ours, trueLight, trueBoth, truth;
 };
@@ -24,7 +24,7 @@ struct EditPictures {
 /// Table of all edits and their averages, as Markdown.
 void printEdits(std::ostream& out, const Json& reports);
 
-/// Mean over the edits of `key`'s metric ("psnr", "ssim", "rel_mse"); infinite ones are left out.
+/// Mean over the edits of `key`'s metric ("psnr", "ssim", "rel_mse"); infinite values are left out.
 [[nodiscard]] double meanOverEdits(const Json& reports, const std::string& variant, const std::string& metric);
 
 }  // namespace evaluate

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compares what Patina recovers and renders with path-traced truth: for every scene below a folder the analysis and the
-// edits, and how fast it is. Prints Markdown; the figures as JSON and pictures go to the output folder.
-// docs/evaluation.md says what the tables mean.
+// Compares Patina's analysis and edits with path-traced ground truth for every scene below a folder, and measures their
+// speed. Prints Markdown; figures (JSON) and pictures go to the output folder. docs/evaluation.md explains the tables.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
@@ -42,19 +41,18 @@ struct Options {
 
 void addOptions(CLI::App& app, Options& options) {
     app.add_option("folder", options.root, "Folder of reference data (default: PATINA_REFERENCE_DATA)");
-    app.add_option("-o,--output", options.output, "Folder for evaluation.md, evaluation.json and pictures");
+    app.add_option("-o,--output", options.output, "Output folder for evaluation.md, evaluation.json and pictures");
     app.add_option("--only", options.parts, "Parts to run: analysis, speed, edits, photos")
         ->delimiter(',')
         ->check(CLI::IsMember({"analysis", "speed", "edits", "photos"}));
-    app.add_option("--scene", options.scene, "Only the scene or photo of this name");
-    app.add_option("--edit", options.edit, "Only the edit of this name");
+    app.add_option("--scene", options.scene, "Evaluate only this scene or photo");
+    app.add_option("--edit", options.edit, "Evaluate only this edit");
     app.add_option("--samples", options.samples, "Paths per pixel of the edits")->check(CLI::PositiveNumber);
     app.add_option("--photo-samples", options.photos.samples, "Paths per pixel of the photos' edits")
         ->check(CLI::PositiveNumber);
-    app.add_option("--photo-size", options.photos.longerSide,
-                   "Photos are reduced to this longer side [px]; 0 = as they are")
+    app.add_option("--photo-size", options.photos.longerSide, "Reduce photos to this longer side [px]; 0 = full size")
         ->check(CLI::NonNegativeNumber);
-    app.add_option("--commit", options.commit, "Version that the report names");
+    app.add_option("--commit", options.commit, "Version named in the report");
 }
 
 void progress(const std::string& message) { std::cerr << message << std::endl; }
@@ -130,7 +128,7 @@ std::string markdown(const Json& evaluation) {
 
 int main(int argc, char** argv) {
     Options options;
-    CLI::App app("Compares Patina with path-traced truth.", "patina-evaluate");
+    CLI::App app("Compares Patina with path-traced ground truth.", "patina-evaluate");
     addOptions(app, options);
     CLI11_PARSE(app, argc, argv);
     if (options.root.empty()) {

@@ -8,7 +8,7 @@ namespace evaluate {
 
 using Json = nlohmann::ordered_json;
 
-/// Throws core::Error(Input) naming the file when it cannot be read or is no JSON.
+/// Throws core::Error(Input) with the name of a file that cannot be read or is not JSON.
 [[nodiscard]] Json readJson(const std::filesystem::path& path);
 
 }  // namespace evaluate

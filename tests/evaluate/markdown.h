@@ -9,12 +9,12 @@
 
 namespace evaluate {
 
-/// A number with `digits` after the point; "–" for a value that is absent or no number.
+/// A number with `digits` decimals; "–" for a missing value or one that is not a number.
 [[nodiscard]] std::string fixed(const Json& value, int digits);
-/// A fraction in per cent.
+/// A fraction as a percentage.
 [[nodiscard]] std::string percent(const Json& value, int digits = 1);
 
-/// Markdown table, written as it is filled.
+/// Markdown table that writes each row immediately.
 class Table {
   public:
     Table(std::ostream& out, const std::vector<std::string>& columns);

@@ -26,7 +26,7 @@ double ssimOverMask(const core::ImageRgb& a, const core::ImageRgb& b, const core
             double weight = 0, ma = 0, mb = 0, aa = 0, bb = 0, ab = 0;
             for (int dy = -kRadius; dy <= kRadius; ++dy) {
                 for (int dx = -kRadius; dx <= kRadius; ++dx) {
-                    // Only masked neighbours: what happens outside the edited segment is not judged here.
+                    // Only masked neighbours: pixels outside the edited segment do not count.
                     if (!mask.contains(x + dx, y + dy) || mask(x + dx, y + dy) == 0) continue;
                     const double w = std::exp(-(dx * dx + dy * dy) / (2 * kSigma * kSigma));
                     const double va = luminance(a(x + dx, y + dy));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/evaluate/photo_report.h"
 
-#include <chrono>
-
+#include "core/base/clock.h"
 #include "core/io/image_io.h"
+#include "core/io/material_json.h"
 #include "core/io/project.h"
 #include "render/renderer.h"
 #include "tests/evaluate/device.h"
@@ -20,11 +20,11 @@ using core::Vector3f;
 
 namespace {
 
-constexpr int kLargePicture = 1600;  // longer side of what is saved beside the sheet [px]
+constexpr int kLargePicture = 1600;  // longer side of the pictures saved beside the sheet [px]
 
 core::Vector2f vector2(const Json& json) { return {json.at(0).get<float>(), json.at(1).get<float>()}; }
 
-/// The intrinsics that the folder's sample.json states for an entry, in pixels of the colour image.
+/// An entry's intrinsics from the folder's sample.json, in pixels of the colour image.
 std::optional<core::Camera> sampleIntrinsics(const fs::path& folder, std::size_t index) {
     const Json intrinsics = readJson(folder / "sample.json").at("entries").at(index).at("intrinsics");
     if (!intrinsics.is_object() || intrinsics.value("normalised", false)) return std::nullopt;
@@ -49,13 +49,13 @@ std::vector<Outline> outlinesOf(const Json& segment, float scale) {
     return outlines;
 }
 
-/// Stereo disparities that are stored less a constant become 1/z by adding it.
+/// Depth from stereo disparities that were stored less a constant `offset` [px].
 core::ImageF offsetDisparity(core::ImageF stored, float offset, float focalBaseline) {
     for (float& value : stored.pixels()) value = value > 0 ? focalBaseline / (value + offset) : 0.0f;
     return stored;
 }
 
-/// The photograph with every `factor`² pixels in one: their mean colour, the depth of the middle one.
+/// The photograph reduced by `factor`: mean colour of each block, depth of its middle pixel.
 std::shared_ptr<core::Photo> reduced(const core::Photo& photo, int factor) {
     auto small = std::make_shared<core::Photo>();
     const auto scale = 1 / static_cast<float>(factor);
@@ -79,7 +79,7 @@ std::shared_ptr<core::Photo> reduced(const core::Photo& photo, int factor) {
     return small;
 }
 
-/// The picture with the segments' borders drawn in.
+/// The picture with the borders of the segments drawn on it.
 ImageRgb withOutlines(ImageRgb picture, const core::LabelImage& labels) {
     const int thickness = std::max(1, picture.width() / 400);
     for (int y = 0; y < labels.height(); ++y) {
@@ -102,20 +102,16 @@ ImageRgb sideBySide(const ImageRgb& a, const ImageRgb& b) {
     return both;
 }
 
-double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 Json analysedReport(const core::Scene& scene, const std::string& name, ContactSheet& sheet, const fs::path& output) {
     const core::Photo& photo = *scene.photo;
-    auto start = std::chrono::steady_clock::now();
+    auto start = core::Clock::now();
     const auto analysis = core::AnalysisPipeline().run(scene);
-    const double analysisSeconds = secondsSince(start);
-    start = std::chrono::steady_clock::now();
+    const double analysisSeconds = core::secondsSince(start);
+    start = core::Clock::now();
     const ImageRgb edited = render::renderImage(newDevice(), scene, analysis);
-    const double renderSeconds = secondsSince(start);
+    const double renderSeconds = core::secondsSince(start);
 
-    // A photograph is shown as it was exposed; a floating-point picture brighter than white is not.
+    // Photographs keep their exposure; floating-point pictures brighter than white are darkened.
     const float exposure = std::min(displayExposure(photo.color), 1.0f);
     const ImageRgb before = displayEncoded(photo.color, exposure);
     const ImageRgb after = displayEncoded(edited, exposure);
@@ -195,7 +191,7 @@ Json photoReport(const fs::path& folder, const Json& entry, const PhotoOptions& 
         scene.render.samples = options.samples;
         return analysedReport(scene, name, sheet, output);
     } catch (const core::Error& error) {
-        // Messages name files by their full path; the report is to be the same wherever the data lies.
+        // Messages contain full paths, but the report must not depend on where the data lies.
         std::string reason = error.what();
         const std::string prefix = folder.string() + "/";
         for (std::size_t at = reason.find(prefix); at != std::string::npos; at = reason.find(prefix))

@@ -10,7 +10,7 @@
 namespace evaluate {
 
 /// A real photograph with hand-drawn segments and their new materials: one entry of tests/evaluate/photos.json.
-/// Reduced by a whole number to at most `longerSide` pixels; 0 = as it is. Throws core::Error when its files cannot be
+/// Reduced by a whole number to at most `longerSide` pixels; 0 = full size. Throws core::Error if a file cannot be
 /// read.
 [[nodiscard]] core::Scene loadPhotoScene(const std::filesystem::path& folder, const Json& entry, int longerSide);
 
@@ -20,7 +20,7 @@ struct PhotoOptions {
 };
 
 /// Analyses and edits one photograph, adds input, depth, normals, light and edit to the sheet, saves the edit large as
-/// photo_NAME.png in `output`. A photograph that cannot be read is reported as skipped, with the reason.
+/// photo_NAME.png in `output`. An unreadable photograph is reported as skipped, with the reason.
 [[nodiscard]] Json photoReport(const std::filesystem::path& folder, const Json& entry, const PhotoOptions& options,
                                ContactSheet& sheet, const std::filesystem::path& output);
 

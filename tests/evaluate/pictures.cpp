@@ -93,7 +93,7 @@ ImageRgb fitted(const ImageRgb& image, int width, int height) {
         std::min(static_cast<double>(width) / image.width(), static_cast<double>(height) / image.height());
     const int w = std::clamp(static_cast<int>(std::lround(scale * image.width())), 1, width);
     const int h = std::clamp(static_cast<int>(std::lround(scale * image.height())), 1, height);
-    // A tent as wide as a pixel of the coarser of the two rasters.
+    // Tent filter as wide as a pixel of the coarser grid.
     const double radius = std::max(1.0, 1 / scale);
     const auto weights = [&](double centre, int size) {
         std::vector<std::pair<int, float>> list;

@@ -10,7 +10,7 @@ namespace evaluate {
 
 // Pictures for people: display-encoded RGB in [0, 1].
 
-/// Unit normals as colours, 0.5 + 0.5·(x, −y, −z): surfaces that face the camera are blue, as usual; black = none.
+/// Unit normals as colours, 0.5 + 0.5·(x, −y, −z): surfaces facing the camera are blue; black = none.
 [[nodiscard]] core::ImageRgb normalPicture(const core::ImageV3& normals);
 
 /// Depths from red (near) to blue (far); black = none.
@@ -27,11 +27,11 @@ namespace evaluate {
 struct Rect {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;  ///< [x0, x1) × [y0, y1)
 };
-/// Around the pixels that are not 0, widened by `margin`, inside the image; all of it when there is none.
+/// Bounds of the non-zero pixels, widened by `margin` and clipped to the image; the whole image if there are none.
 [[nodiscard]] Rect boundsOf(const core::Image<std::uint8_t>& mask, int margin);
 [[nodiscard]] core::ImageRgb cropped(const core::ImageRgb& image, const Rect& rect);
 
-/// Scaled by area averages (or bilinearly, to enlarge) to fit into width × height, keeping its shape.
+/// Scaled to fit into width × height at the same aspect ratio: reduced by area averages, enlarged bilinearly.
 [[nodiscard]] core::ImageRgb fitted(const core::ImageRgb& image, int width, int height);
 
 /// 8-bit PNG of a display-encoded picture. Throws core::Error(Output).

@@ -5,6 +5,7 @@
 
 #include "core/io/image_io.h"
 #include "core/io/image_reader.h"
+#include "core/io/material_json.h"
 #include "core/io/project.h"
 
 namespace evaluate {
@@ -18,7 +19,7 @@ Vector3f vector3(const Json& json) {
     return {json.at(0).get<float>(), json.at(1).get<float>(), json.at(2).get<float>()};
 }
 
-/// The material of an edit as the reference data describes it, in the words of the command line's `--edit`.
+/// Converts an edit's material from the reference data to the keys of the command line's `--edit`.
 core::Material materialOf(const Json& edited) {
     const std::string model = edited.at("model");
     Json edit;
@@ -42,7 +43,7 @@ core::Material materialOf(const Json& edited) {
     return core::materialFromJson(edit.dump());
 }
 
-/// The studio's wax names the index-matched medium that was walked in as albedo and σ_t.
+/// The studio's wax gives its index-matched medium as albedo and σ_t.
 core::Material waxOf(const Json& medium) {
     const Vector3f albedo = vector3(medium.at("single_scattering_albedo"));
     const Vector3f sigmaT = vector3(medium.at("sigma_t_per_mm"));

@@ -12,22 +12,22 @@
 
 namespace evaluate {
 
-/// A path-traced picture of the scene with one segment's material exchanged.
+/// A path-traced picture of the scene with one segment's material replaced.
 struct Edit {
     std::string name;
     std::uint16_t label = 0;
     std::filesystem::path truth;  ///< scene-linear, same scale as the photograph
-    core::Material material;      ///< what the segment was exchanged for
+    core::Material material;      ///< new material of the segment
 };
 
-/// What a glossy segment is really made of.
+/// True material of a glossy segment.
 struct TrueGloss {
     core::Vector3f specularColor{0, 0, 0};
     float alpha = 0;  ///< GGX width
 };
 
-/// A path-traced photograph with everything that is to be recovered from it. Folder layout and conventions: the
-/// reference data's README files.
+/// A path-traced photograph and the ground truth of everything the analysis recovers. The reference data's README files
+/// explain folders and conventions.
 struct SceneFolder {
     std::filesystem::path path;
     std::string name;
@@ -38,7 +38,7 @@ struct SceneFolder {
 
 /// Folders with a scene.json below `root`, sorted.
 [[nodiscard]] std::vector<std::filesystem::path> findSceneFolders(const std::filesystem::path& root);
-/// Throws core::Error(Input) for files that are missing or say something unknown.
+/// Throws core::Error(Input) for missing files and unknown contents.
 [[nodiscard]] SceneFolder loadSceneFolder(const std::filesystem::path& path);
 
 [[nodiscard]] core::ImageV3 trueNormals(const SceneFolder& folder);       ///< unit; zero where there is no surface

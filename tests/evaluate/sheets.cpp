@@ -35,7 +35,7 @@ ImageF coveragePicture(const core::DirectionalMap& map) {
     return values;
 }
 
-/// Puts the map's 90th percentile of luminance at 1: a sun must not make the rest black.
+/// Exposure that maps the 90th percentile of luminance to 1, because a sun would make everything else black.
 float environmentExposure(const ImageRgb& map) {
     std::vector<float> values;
     for (const auto& pixel : map.pixels()) values.push_back(luminance(pixel));

@@ -10,16 +10,16 @@
 
 namespace evaluate {
 
-/// One row per edit: unedited, ours, with true light, with true light and back side, truth, what ours lacks; around the
-/// edited segment, exposed like the truth's metrics.
+/// One row per edit: unedited, ours, with true light, with true light and back side, truth, our error; cropped to
+/// the edited segment, exposed as for the metrics.
 [[nodiscard]] std::vector<ContactSheet::Cell> editRow(const SceneFolder& folder, const Edit& edit,
                                                       const EditPictures& pictures, const Json& report);
 
-/// The same pictures but the last at full size side by side, without captions.
+/// The same pictures except the last, at full size side by side, without captions.
 void saveStrip(const SceneFolder& folder, const Edit& edit, const EditPictures& pictures,
                const std::filesystem::path& path);
 
-/// What was recovered of a scene beside the truth: normals, back sides, light.
+/// Recovered and true normals, back sides and light of a scene.
 void saveSceneSheet(const SceneFolder& folder, const core::Analysis& analysis, const std::filesystem::path& path);
 
 }  // namespace evaluate

@@ -15,10 +15,10 @@ namespace evaluate {
 
 namespace {
 
-/// Sets the process's peak of resident memory back to what it holds now (Linux; elsewhere it stays what it was).
+/// Resets the process's peak of resident memory to its current value (Linux; no effect elsewhere).
 void resetPeakMemory() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
-/// A line of /proc/self/status in bytes, 0 where there is none.
+/// A value of /proc/self/status in bytes, 0 if missing.
 double statusBytes(const std::string& key) {
     std::ifstream file("/proc/self/status");
     std::string word;
@@ -31,7 +31,7 @@ double statusBytes(const std::string& key) {
     return 0;
 }
 
-/// Bilinear between pixels of the same label with depth, so that no edge is smeared.
+/// Bilinear interpolation between pixels of the same label with depth, so that edges stay sharp.
 template <class T>
 T enlargedPixel(const core::Image<T>& image, const core::Photo& photo, float u, float v) {
     const int x = std::clamp(static_cast<int>(u), 0, image.width() - 1);
@@ -70,7 +70,7 @@ Json measured(const std::string& caseName, const core::Scene& scene, const gpu::
     return report;
 }
 
-/// Flags the largest segment beside the table, too, where there is only one.
+/// Also marks the largest other segment (not the table) as glossy if there are fewer than two glossy ones.
 core::Scene withTwoGlossySegments(const core::Scene& scene) {
     core::Scene result = scene;
     const auto glossy = std::ranges::count_if(result.segments, &core::Segment::glossy);

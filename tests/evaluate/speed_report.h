@@ -9,9 +9,9 @@
 
 namespace evaluate {
 
-/// How long every step of the analysis of a scene takes, and this process's peak memory meanwhile, as `patina-cli bench
-/// analyse` measures them. Cases with a target have "limit_seconds" and "limit_bytes": two glossy segments at 1024²,
-/// and 12 megapixels (the studio, enlarged).
+/// Duration of every analysis step of a scene and this process's peak memory, measured as by `patina-cli bench
+/// analyse`. Cases with a target have "limit_seconds" and "limit_bytes": two glossy segments at 1024², and 12
+/// megapixels (the studio, enlarged).
 [[nodiscard]] std::vector<Json> speedReports(const SceneFolder& folder);
 
 /// Table of all cases, as Markdown.

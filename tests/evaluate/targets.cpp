@@ -63,7 +63,7 @@ void judgeNormals(Json& targets, const Json& reports) {
         add(targets, std::string("Normals on ") + title + ": median ≤ " + fixed(limit, 0) + "° (all but the table)",
             "at most " + fixed(worst.value, 2) + "° (" + worst.where + ")", worst.met());
     }
-    Worst worst;  // how much worse the filter makes noisy normals; at most 1 where it helps
+    Worst worst;  // error of noisy normals with the filter relative to without; at most 1 if it helps
     for (const Json& report : reports) {
         const Json& noisy = report.at("normals").at(kAllButTable).at("noisy");
         const double before = noisy.at("unfiltered").at("median");

@@ -7,8 +7,8 @@
 
 namespace evaluate {
 
-/// What reconstruction has to reach, judged from the other parts of an evaluation ("analysis", "edits", "speed"):
-/// entries {"target", "reached", "met"}. What was not evaluated is left out.
+/// Targets of the reconstruction, judged from the other parts of an evaluation ("analysis", "edits", "speed"): entries
+/// {"target", "reached", "met"}. Parts that were not evaluated are left out.
 [[nodiscard]] Json judgeTargets(const Json& evaluation);
 
 /// Table of the targets, as Markdown.

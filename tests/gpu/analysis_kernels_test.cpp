@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The device's kernels of the analysis against the CPU's, which know nothing of each other.
+// The device's kernels of the analysis against those of the CPU, which are independent of them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using core::AnalysisKernels;
 using core::ImageF;
 using core::Vector3f;
 using render::GpuAnalysisKernels;
-using testing_support::AnalyticScene;
+using test::AnalyticScene;
 
 /// A device that a test may destroy.
 gpu::Device ownDevice() { return gpu::Instance::create().requestAdapter().requestDevice({.label = "analysis test"}); }
@@ -77,7 +77,7 @@ core::analysis::FilterPass makeFilterPass(int step) {
 }
 
 TEST(AnalysisKernels, FilterDepthLikeTheCpu) {
-    GpuAnalysisKernels kernels(testing_support::device());
+    GpuAnalysisKernels kernels(test::device());
     for (const auto& [width, height] : kSizes) {
         const Picture picture = makePicture(width, height, 0.01f, 5);
         const auto color = core::analysis::encodeColor(picture.color, core::Progress());
@@ -89,7 +89,7 @@ TEST(AnalysisKernels, FilterDepthLikeTheCpu) {
             const ImageF expected = core::analysis::runFilterPass(pass, w, color, picture.labels, core::Progress());
             const ImageF actual = filter->run(pass, w, core::Progress());
             for (std::size_t i = 0; i < w.size(); ++i) {
-                // Sums of 12 pairs of floats, in any order and fused: some units in the last place of w.
+                // Sums of 12 pairs of floats, in any order and possibly fused: a few units in the last place of w.
                 ASSERT_NEAR(actual[i], expected[i], 3e-6f * w[i]) << width << "x" << height << " pixel " << i;
                 changed += std::abs(static_cast<double>(expected[i] - w[i]));
             }
@@ -102,14 +102,14 @@ TEST(AnalysisKernels, FilterDepthLikeTheCpu) {
 }
 
 TEST(AnalysisKernels, FitSurfacesLikeTheCpu) {
-    GpuAnalysisKernels kernels(testing_support::device());
+    GpuAnalysisKernels kernels(test::device());
     std::size_t pixels = 0;
     std::size_t different = 0;
     for (const float noise : {0.0f, 0.003f}) {
         std::vector<Picture> pictures;
         for (const auto& [width, height] : kSizes) pictures.push_back(makePicture(width, height, noise, 7));
         // Contours of spheres, where exact depth ends like a square root.
-        const AnalyticScene spheres = testing_support::makeRandomScene(400, 300, 3);
+        const AnalyticScene spheres = test::randomSpheres(400, 300, 3);
         pictures.push_back({spheres.photo->camera, spheres.photo->depth, spheres.photo->labels, spheres.photo->color});
         for (const Picture& picture : pictures) {
             const int width = picture.camera.width;
@@ -135,7 +135,7 @@ TEST(AnalysisKernels, FitSurfacesLikeTheCpu) {
                     }
                     ++pixels;
                     // Rounding of inverse depth, 1e-7 of w, over a slope of a pixel, 1e-2 to 1e-3 of w, and twice
-                    // through weights: 1e-3 rad. More where a comparison of the fit tips over.
+                    // through weights: 1e-3 rad. More where a comparison of the fit goes the other way.
                     const bool same = (actual.normal[i] - expected.normal[i]).norm() < 1e-3f &&
                                       std::abs(actual.area[i] - expected.area[i]) < 5e-3f * expected.area[i];
                     different += same ? 0 : 1;
@@ -151,9 +151,9 @@ TEST(AnalysisKernels, FitSurfacesLikeTheCpu) {
 }
 
 TEST(AnalysisKernels, MarchLikeTheCpu) {
-    GpuAnalysisKernels kernels(testing_support::device());
+    GpuAnalysisKernels kernels(test::device());
     for (const auto& [width, height] : {std::pair{211, 157}, std::pair{257, 3}, std::pair{1, 1}}) {
-        const AnalyticScene scene = testing_support::makeRandomScene(width, height, 3);
+        const AnalyticScene scene = test::randomSpheres(width, height, 3);
         const core::DepthLayers layers = scene.layers();
         std::mt19937 random(9);
         std::uniform_real_distribution<float> uniform(0, 1);
@@ -163,7 +163,7 @@ TEST(AnalysisKernels, MarchLikeTheCpu) {
             rays.push_back({scene.photo->camera.ray(uniform(random) * static_cast<float>(width),
                                                     uniform(random) * static_cast<float>(height)) *
                                 z,
-                            testing_support::randomDirection(random)});
+                            test::randomDirection(random)});
         }
         for (std::size_t i = 0; i < rays.size(); i += 100) rays[i].direction.setZero();
         const auto marcher = kernels.rayMarcher(layers);
@@ -217,7 +217,7 @@ core::DirectionalMap partlyKnown(int height) {
 }
 
 TEST(AnalysisKernels, FillDirectionsLikeTheCpu) {
-    GpuAnalysisKernels kernels(testing_support::device());
+    GpuAnalysisKernels kernels(test::device());
     for (const int height : {4, 17, 64}) {
         const core::DirectionalMap map = partlyKnown(height);
         const float scale = 30 + static_cast<float>(height);
@@ -229,8 +229,8 @@ TEST(AnalysisKernels, FillDirectionsLikeTheCpu) {
         kernels.fillShepard(tree, actual, core::Progress());
         std::size_t different = 0;
         for (std::size_t i = 0; i < map.radiance.size(); ++i) {
-            // Thousands of weights that fall with the cube of an angle: 1e-4. Where a group is at the limit of being
-            // taken as one, the two may differ by what that approximation costs.
+            // Thousands of weights that fall with the cube of an angle: 1e-4. Where a group is at the limit for
+            // counting as one, the two may differ by the error of that approximation.
             different +=
                 (actual.radiance[i] - expected.radiance[i]).norm() > 1e-4f * expected.radiance[i].norm() ? 1 : 0;
             ASSERT_LE((actual.radiance[i] - expected.radiance[i]).norm(), 0.01f * expected.radiance[i].norm())
@@ -246,7 +246,7 @@ TEST(AnalysisKernels, FillDirectionsLikeTheCpu) {
             core::analysis::relaxMembrane(map.coverage, rows, expectedValues, core::Progress());
             kernels.relaxMembrane(map.coverage, rows, actualValues, core::Progress());
             for (std::size_t i = 0; i < map.radiance.size(); ++i)
-                // 60 sweeps that average: rounding does not build up.
+                // 60 sweeps of averages, in which rounding does not accumulate.
                 ASSERT_LE((actualValues[i] - expectedValues[i]).norm(), 1e-5f * scale)
                     << "height " << height << " texel " << i;
         }
@@ -256,11 +256,11 @@ TEST(AnalysisKernels, FillDirectionsLikeTheCpu) {
 
 core::Scene bundledSample() {
     core::Scene scene = core::loadProject(PATINA_SAMPLES "/studio/studio.patina");
-    scene.environment.fill = core::EnvironmentFill::Shepard;  // the membrane is a part of it, too
+    scene.environment.fill = core::EnvironmentFill::Shepard;  // which includes the membrane
     return scene;
 }
 
-/// Photographed depth instead of the rendered one: every pass of the filter has work.
+/// Noisy depth instead of the rendered one, so that every pass of the filter has work.
 core::Scene withNoise(core::Scene scene) {
     auto photo = std::make_shared<core::Photo>(*scene.photo);
     std::mt19937 random(1);
@@ -272,7 +272,7 @@ core::Scene withNoise(core::Scene scene) {
 
 /// Spheres on a floor, two of them glossy: small, but large enough for several slices.
 core::Scene smallScene() {
-    core::Scene scene = testing_support::makeRandomScene(400, 300, 3).scene();
+    core::Scene scene = test::randomSpheres(400, 300, 3).scene;
     scene.environment.height = 32;
     for (core::Segment& segment : scene.segments) segment.glossy = segment.label == 3 || segment.label == 5;
     return scene;
@@ -281,7 +281,7 @@ core::Scene smallScene() {
 TEST(AnalysisKernels, AnalyseTheSampleLikeTheCpu) {
     for (const bool noisy : {false, true}) {
         const core::Scene scene = noisy ? withNoise(bundledSample()) : bundledSample();
-        GpuAnalysisKernels kernels(testing_support::device());
+        GpuAnalysisKernels kernels(test::device());
         const auto expected = core::AnalysisPipeline().run(scene);
         const auto actual = core::AnalysisPipeline().run(scene, {}, kernels);
         EXPECT_TRUE(kernels.takeNotes().empty());
@@ -297,11 +297,11 @@ TEST(AnalysisKernels, AnalyseTheSampleLikeTheCpu) {
             depths += std::abs(actual->front->depth[i] - z) > 1e-5f * z ? 1 : 0;
             normals += (actual->front->normal[i] - expected->front->normal[i]).norm() > 5e-3f ? 1 : 0;
         }
-        // Ranges of later passes come from noise measured on earlier results, so that rounding is carried on.
+        // Ranges of later passes depend on noise measured on earlier results, which propagates rounding.
         EXPECT_LE(static_cast<double>(depths), 1e-3 * static_cast<double>(pixels)) << "noisy " << noisy;
         EXPECT_LE(static_cast<double>(normals), 2e-3 * static_cast<double>(pixels)) << "noisy " << noisy;
 
-        // What the user sees of it: a hundredth of what is estimated, far below the method's own error.
+        // Visible difference: a hundredth of the estimates, far below the error of the method.
         ASSERT_EQ(actual->reflectances.size(), expected->reflectances.size());
         ASSERT_FALSE(expected->reflectances.empty());
         for (std::size_t i = 0; i < expected->reflectances.size(); ++i) {
@@ -318,7 +318,7 @@ TEST(AnalysisKernels, AnalyseTheSampleLikeTheCpu) {
 TEST(AnalysisKernels, RepeatToTheByte) {
     const core::Scene scene = withNoise(smallScene());
     const auto analyse = [&] {
-        GpuAnalysisKernels kernels(testing_support::device());
+        GpuAnalysisKernels kernels(test::device());
         return core::AnalysisPipeline().run(scene, {}, kernels);
     };
     const auto first = analyse();
@@ -351,7 +351,7 @@ void expectStops(const char* what, const Work& work) {
 }
 
 TEST(AnalysisKernels, StopBetweenSlices) {
-    GpuAnalysisKernels kernels(testing_support::device());
+    GpuAnalysisKernels kernels(test::device());
     const Picture picture = makePicture(200, 150, 0.01f, 5);
     const auto color = core::analysis::encodeColor(picture.color, core::Progress());
     expectStops("depth filter", [&](const core::Progress& stopped) {
@@ -363,7 +363,7 @@ TEST(AnalysisKernels, StopBetweenSlices) {
         surface.depth = picture.depth;
         kernels.computeSurface({picture.camera, picture.labels}, surface, stopped);
     });
-    const core::DepthLayers layers = testing_support::makeRandomScene(100, 80, 3).layers();
+    const core::DepthLayers layers = test::randomSpheres(100, 80, 3).layers();
     expectStops("march", [&](const core::Progress& stopped) {
         const std::vector<core::MarchRay> rays(20000, {{0, 0, 1}, {0, 1, 0}});
         (void)kernels.rayMarcher(layers)->march(rays, 0, stopped);
@@ -382,7 +382,7 @@ TEST(AnalysisKernels, AStoppedAnalysisCanBeTakenUpAgain) {
     const core::Scene scene = smallScene();
     for (const core::Task stop : {core::Task::ComputeNormals, core::Task::InventBackSides,
                                   core::Task::EstimateReflectance, core::Task::RecoverEnvironment}) {
-        GpuAnalysisKernels kernels(testing_support::device());
+        GpuAnalysisKernels kernels(test::device());
         std::atomic<bool> cancel{false};
         const core::Progress progress(
             [&](core::Task task, float fraction) {
@@ -440,7 +440,7 @@ TEST(AnalysisKernels, AreTakenAsAskedFor) {
     }
     EXPECT_EQ(render::createAnalysisKernels(AnalysisTwin::Cpu, ""), nullptr);
     EXPECT_NE(render::createAnalysisKernels(AnalysisTwin::Gpu, ""), nullptr);
-    // The tests' device is a software one: the same cores.
+    // The tests' device is a software device.
     EXPECT_EQ(render::createAnalysisKernels(AnalysisTwin::Automatic, ""), nullptr);
     EXPECT_EQ(render::createAnalysisKernels(AnalysisTwin::Automatic, "no such device"), nullptr);
     EXPECT_THROW((void)render::createAnalysisKernels(AnalysisTwin::Gpu, "no such device"), gpu::Error);

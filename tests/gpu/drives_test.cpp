@@ -10,15 +10,15 @@
 namespace {
 
 using core::Vector3f;
-using testing_support::AnalyticScene;
-using testing_support::device;
+using test::AnalyticScene;
+using test::device;
 
 constexpr int kPictureWidth = 96;
 constexpr int kPictureHeight = 72;
 
 /// Two balls on a floor under a coloured sky.
 AnalyticScene smallStillLife() {
-    return testing_support::makeAnalyticScene(
+    return test::spheresOnFloor(
         kPictureWidth, kPictureHeight,
         {{Vector3f(-0.12f, 0.13f, 0.9f), 0.16f, 2, Vector3f(0.6f, 0.2f, 0.1f)},
          {Vector3f(0.2f, 0.16f, 1.05f), 0.13f, 3, Vector3f(0.1f, 0.3f, 0.7f)}},
@@ -42,7 +42,7 @@ core::Drive drive(const char* parameter, std::shared_ptr<const core::Mask> mask,
 }
 
 core::Scene edited(const AnalyticScene& source, const char* brdf, int samples) {
-    core::Scene scene = source.scene();
+    core::Scene scene = source.scene;
     scene.findSegment(2)->edit = core::defaultMaterial(*core::findBrdf(brdf));
     scene.findSegment(2)->edit->specular = Vector3f(0.9f, 0.8f, 0.6f);
     scene.render.samples = samples;
@@ -68,9 +68,9 @@ double agreement(const core::ImageRgb& actual, const core::ImageRgb& expected, c
     return same / count;
 }
 
-/// Everything to the end.
+/// Renders all samples.
 core::ImageRgb finish(render::Renderer& renderer, const core::Scene& scene, const AnalyticScene& source) {
-    renderer.setScene(scene, source.analysis());
+    renderer.setScene(scene, source.analysis);
     for (int i = 0; i < 10000; ++i) {
         gpu::CommandEncoder encoder = device().createCommandEncoder({.label = "test"});
         const bool worked = renderer.record(encoder, 0.1);
@@ -86,7 +86,7 @@ TEST(Drives, FollowTheReferenceRendererPathByPath) {
     const auto detail = std::make_shared<core::ImageF>(kPictureWidth, kPictureHeight);
     for (int y = 0; y < kPictureHeight; ++y)
         for (int x = 0; x < kPictureWidth; ++x) (*detail)(x, y) = 1 + 0.5f * std::sin(static_cast<float>(x + 2 * y));
-    std::shared_ptr<core::Analysis> analysis = source.analysis();
+    std::shared_ptr<core::Analysis> analysis = source.analysis;
     analysis->textureDetail = detail;
 
     core::Scene scene = edited(source, "artist", 4);
@@ -117,9 +117,9 @@ TEST(Drives, FollowTheReferenceRendererPathByPath) {
     const core::ImageRgb actual = render::renderImage(device(), scene, analysis);
     const core::ImageRgb expected = core::renderReference(scene, analysis);
     EXPECT_GE(agreement(actual, expected, source.photo->labels, 2), 0.97);
-    // Every pixel of a translucent body sums all its samples, also the few whose rays part.
+    // Every pixel of a translucent body sums all samples, including the few whose rays differ.
     EXPECT_GE(agreement(actual, expected, source.photo->labels, 3, 0.01f), 0.97);
-    // The drives are what is seen.
+    // The drives have a visible effect.
     core::Scene plain = scene;
     plain.findSegment(2)->edit->drives.clear();
     EXPECT_LE(agreement(actual, core::renderReference(plain, analysis), source.photo->labels, 2), 0.1);
@@ -172,16 +172,16 @@ TEST(Drives, PaintingUpdatesWhatIsOnTheDevice) {
     auto stroke = std::make_shared<core::Mask>(*first);
     stroke->change(20, 30, 50, 50, [](int x, int y, float) { return (x - 35) * (x - 35) + (y - 40) * (y - 40) < 60; });
     scene.findSegment(2)->edit->drives[0].mask = stroke;
-    renderer.setScene(scene, source.analysis());
+    renderer.setScene(scene, source.analysis);
     EXPECT_EQ(renderer.progress().samples, 0);
     const core::ImageRgb after = finish(renderer, scene, source);
     render::Renderer fresh(device());
     EXPECT_EQ(after, finish(fresh, scene, source));
     EXPECT_NE(after, before);
     // The same mask again restarts nothing.
-    renderer.setScene(scene, source.analysis());
+    renderer.setScene(scene, source.analysis);
     EXPECT_EQ(renderer.progress().samples, 2);
-    // A second driven parameter moves nothing and is seen.
+    // A second driven parameter leaves the planes in place and has a visible effect.
     scene.findSegment(2)->edit->drives.push_back(drive("blend.original", stroke, 0, 1));
     scene.findSegment(3)->edit = core::defaultMaterial(*core::findBrdf("ggx"));
     scene.findSegment(3)->edit->drives = {drive("alpha", ramp(), 0.1f, 0.9f)};

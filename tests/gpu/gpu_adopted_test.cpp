@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A device somebody else made, and frames somebody else submits: what a QVulkanWindow does, by hand.
+// A device and frames with another owner, as with QVulkanWindow, but in raw Vulkan.
 #include <array>
 
 #include "gpu/adopt.h"
@@ -14,7 +14,7 @@ namespace {
 using gpu::BufferUsage;
 using gpu::TextureUsage;
 
-/// Owns raw Vulkan objects as a window would: an instance for 1.1, a device without features, two frame slots.
+/// Owns raw Vulkan objects like a window: an instance for 1.1, a device without features, two frame slots.
 class Window {
   public:
     static constexpr std::uint32_t kSlots = 2;
@@ -89,7 +89,7 @@ class Window {
                                    .queueFamilyIndex = 0,
                                    .debugUtils = validated});
     }
-    /// What a window does around a frame: wait for the slot, begin, record, end, submit.
+    /// One frame of a window: wait for the slot, begin, record, end, submit.
     template <class F>
     void frame(F&& record) {
         const std::uint32_t slot = next++ % kSlots;
@@ -118,7 +118,100 @@ class Window {
     bool validated = false;
 };
 
-/// A framebuffer of somebody else's, as a swapchain image would be: bgra8unorm, cleared by its render pass.
+/// Memory with all of `flags`; the caller binds and frees it.
+VkDeviceMemory allocateRaw(const Window& window, const VkMemoryRequirements& requirements,
+                           VkMemoryPropertyFlags flags) {
+    VkPhysicalDeviceMemoryProperties properties;
+    vkGetPhysicalDeviceMemoryProperties(window.physicalDevice, &properties);
+    VkMemoryAllocateInfo info = {};
+    info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+    info.allocationSize = requirements.size;
+    while ((requirements.memoryTypeBits & (1u << info.memoryTypeIndex)) == 0 ||
+           (properties.memoryTypes[info.memoryTypeIndex].propertyFlags & flags) != flags) {
+        ++info.memoryTypeIndex;
+    }
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    EXPECT_EQ(vkAllocateMemory(window.device, &info, nullptr, &memory), VK_SUCCESS);
+    return memory;
+}
+
+/// Image of a screen. The library never sees it, only its framebuffer.
+class ScreenImage {
+  public:
+    ScreenImage(const Window& window, std::uint32_t size) : device_(window.device) {
+        VkImageCreateInfo info = {};
+        info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+        info.imageType = VK_IMAGE_TYPE_2D;
+        info.format = VK_FORMAT_B8G8R8A8_UNORM;
+        info.extent = {size, size, 1};
+        info.mipLevels = info.arrayLayers = 1;
+        info.samples = VK_SAMPLE_COUNT_1_BIT;
+        info.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+        EXPECT_EQ(vkCreateImage(device_, &info, nullptr, &image), VK_SUCCESS);
+        VkMemoryRequirements requirements;
+        vkGetImageMemoryRequirements(device_, image, &requirements);
+        memory_ = allocateRaw(window, requirements, 0);
+        vkBindImageMemory(device_, image, memory_, 0);
+        VkImageViewCreateInfo viewInfo = {};
+        viewInfo.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+        viewInfo.image = image;
+        viewInfo.viewType = VK_IMAGE_VIEW_TYPE_2D;
+        viewInfo.format = info.format;
+        viewInfo.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+        EXPECT_EQ(vkCreateImageView(device_, &viewInfo, nullptr, &view), VK_SUCCESS);
+    }
+    ~ScreenImage() {
+        vkDestroyImageView(device_, view, nullptr);
+        vkDestroyImage(device_, image, nullptr);
+        vkFreeMemory(device_, memory_, nullptr);
+    }
+    ScreenImage(const ScreenImage&) = delete;
+    ScreenImage& operator=(const ScreenImage&) = delete;
+
+    VkImage image = VK_NULL_HANDLE;
+    VkImageView view = VK_NULL_HANDLE;
+
+  private:
+    VkDevice device_;
+    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+};
+
+/// Host-visible buffer for reading a screen image.
+class HostBuffer {
+  public:
+    HostBuffer(const Window& window, VkDeviceSize size) : device_(window.device) {
+        VkBufferCreateInfo info = {};
+        info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+        info.size = size;
+        info.usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+        EXPECT_EQ(vkCreateBuffer(device_, &info, nullptr, &buffer), VK_SUCCESS);
+        VkMemoryRequirements requirements;
+        vkGetBufferMemoryRequirements(device_, buffer, &requirements);
+        memory_ = allocateRaw(window, requirements,
+                              VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+        vkBindBufferMemory(device_, buffer, memory_, 0);
+    }
+    ~HostBuffer() {
+        vkDestroyBuffer(device_, buffer, nullptr);
+        vkFreeMemory(device_, memory_, nullptr);
+    }
+    HostBuffer(const HostBuffer&) = delete;
+    HostBuffer& operator=(const HostBuffer&) = delete;
+
+    [[nodiscard]] const std::uint8_t* map() const {
+        void* data = nullptr;
+        EXPECT_EQ(vkMapMemory(device_, memory_, 0, VK_WHOLE_SIZE, 0, &data), VK_SUCCESS);
+        return static_cast<const std::uint8_t*>(data);
+    }
+
+    VkBuffer buffer = VK_NULL_HANDLE;
+
+  private:
+    VkDevice device_;
+    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+};
+
+/// A framebuffer with another owner, like that of a swapchain image: bgra8unorm, cleared by its render pass.
 class Screen {
   public:
     Screen(const Window& window, VkImageView view, std::uint32_t size) : device_(window.device) {
@@ -256,130 +349,70 @@ TEST(GpuAdopted, WritesMadeWhileAFrameIsRecordedComeBeforeIt) {
     device.destroy();
 }
 
-TEST(GpuAdopted, DrawsIntoSomebodyElsesFramebuffer) {
+TEST(GpuAdopted, DrawsIntoAFramebufferOfAnotherOwner) {
     constexpr std::uint32_t kSize = 8;
     Window window;
     const gpu::Device device = window.adopt();
-    // The screen's image is made by hand: the library never sees it, only its framebuffer.
-    VkImageCreateInfo imageInfo = {};
-    imageInfo.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-    imageInfo.imageType = VK_IMAGE_TYPE_2D;
-    imageInfo.format = VK_FORMAT_B8G8R8A8_UNORM;
-    imageInfo.extent = {kSize, kSize, 1};
-    imageInfo.mipLevels = imageInfo.arrayLayers = 1;
-    imageInfo.samples = VK_SAMPLE_COUNT_1_BIT;
-    imageInfo.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-    VkImage image = VK_NULL_HANDLE;
-    ASSERT_EQ(vkCreateImage(window.device, &imageInfo, nullptr, &image), VK_SUCCESS);
-    VkMemoryRequirements requirements;
-    vkGetImageMemoryRequirements(window.device, image, &requirements);
-    VkMemoryAllocateInfo memoryInfo = {};
-    memoryInfo.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
-    memoryInfo.allocationSize = requirements.size;
-    while ((requirements.memoryTypeBits & (1u << memoryInfo.memoryTypeIndex)) == 0) ++memoryInfo.memoryTypeIndex;
-    VkDeviceMemory memory = VK_NULL_HANDLE;
-    ASSERT_EQ(vkAllocateMemory(window.device, &memoryInfo, nullptr, &memory), VK_SUCCESS);
-    vkBindImageMemory(window.device, image, memory, 0);
-    VkImageViewCreateInfo viewInfo = {};
-    viewInfo.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
-    viewInfo.image = image;
-    viewInfo.viewType = VK_IMAGE_VIEW_TYPE_2D;
-    viewInfo.format = imageInfo.format;
-    viewInfo.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-    VkImageView view = VK_NULL_HANDLE;
-    ASSERT_EQ(vkCreateImageView(window.device, &viewInfo, nullptr, &view), VK_SUCCESS);
-    const VkBufferCreateInfo bufferInfo = {VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
-                                           nullptr,
-                                           0,
-                                           kSize * kSize * 4,
-                                           VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                           VK_SHARING_MODE_EXCLUSIVE,
-                                           0,
-                                           nullptr};
-    VkBuffer buffer = VK_NULL_HANDLE;
-    ASSERT_EQ(vkCreateBuffer(window.device, &bufferInfo, nullptr, &buffer), VK_SUCCESS);
-    vkGetBufferMemoryRequirements(window.device, buffer, &requirements);
-    VkPhysicalDeviceMemoryProperties properties;
-    vkGetPhysicalDeviceMemoryProperties(window.physicalDevice, &properties);
-    memoryInfo.allocationSize = requirements.size;
-    constexpr VkMemoryPropertyFlags kHost = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-    for (memoryInfo.memoryTypeIndex = 0;
-         (requirements.memoryTypeBits & (1u << memoryInfo.memoryTypeIndex)) == 0 ||
-         (properties.memoryTypes[memoryInfo.memoryTypeIndex].propertyFlags & kHost) != kHost;) {
-        ++memoryInfo.memoryTypeIndex;
+    const ScreenImage image(window, kSize);
+    const HostBuffer buffer(window, kSize * kSize * 4);
+    const Screen screen(window, image.view, kSize);
+    const gpu::Texture picture = device.createTexture({.label = "picture",
+                                                       .size = {kSize, kSize},
+                                                       .format = gpu::TextureFormat::RGBA8Unorm,
+                                                       .usage = TextureUsage::TextureBinding | TextureUsage::CopyDst});
+    const std::vector<std::uint8_t> texels = [&] {
+        std::vector<std::uint8_t> values;
+        for (std::uint32_t i = 0; i < kSize * kSize; ++i)
+            values.insert(values.end(), {static_cast<std::uint8_t>(i), 100, 200, 255});
+        return values;
+    }();
+    device.queue().writeTexture(picture, texels.data(), texels.size());
+    const gpu::ExternalRenderTarget target = {.renderPass = screen.renderPass, .hasDepth = false};
+    const gpu::RenderPipeline pipeline = device.createRenderPipeline(
+        {.label = "show",
+         .vertex = device.createShaderModule({.label = "triangle", .code = test_triangle_spv}),
+         .fragment = device.createShaderModule({.label = "show", .code = test_show_spv}),
+         .targets = {{}},
+         .externalTarget = &target});
+    const gpu::BindGroup group =
+        device.createBindGroup({.label = "show",
+                                .layout = pipeline.getBindGroupLayout(0),
+                                .entries = {{.binding = 0, .textureView = picture.createView()}}});
+    window.frame([&](VkCommandBuffer commandBuffer, std::uint32_t slot) {
+        const gpu::CommandEncoder encoder = device.beginAdoptedFrame(commandBuffer, slot);
+        const auto pass = encoder.beginRenderPass(gpu::ExternalRenderPassDescriptor{.label = "show",
+                                                                                    .renderPass = screen.renderPass,
+                                                                                    .framebuffer = screen.framebuffer,
+                                                                                    .width = kSize,
+                                                                                    .height = kSize,
+                                                                                    .clearValues = {VkClearValue{}}});
+        pass.setPipeline(pipeline);
+        pass.setBindGroup(0, group);
+        pass.setImmediates(0, 1.0f);
+        pass.draw(3);
+        pass.end();
+        encoder.finish();
+        VkBufferImageCopy region = {};
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        region.imageExtent = {kSize, kSize, 1};
+        vkCmdCopyImageToBuffer(commandBuffer, image.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.buffer, 1,
+                               &region);
+    });
+    vkDeviceWaitIdle(window.device);
+    const std::uint8_t* pixels = buffer.map();
+    for (std::size_t i = 0; i < kSize * kSize; ++i) {
+        ASSERT_EQ(pixels[4 * i], 200) << i;
+        ASSERT_EQ(pixels[4 * i + 1], 100) << i;
+        ASSERT_EQ(pixels[4 * i + 2], i) << i;
     }
-    VkDeviceMemory bufferMemory = VK_NULL_HANDLE;
-    ASSERT_EQ(vkAllocateMemory(window.device, &memoryInfo, nullptr, &bufferMemory), VK_SUCCESS);
-    vkBindBufferMemory(window.device, buffer, bufferMemory, 0);
-    {
-        const Screen screen(window, view, kSize);
-        const gpu::Texture picture =
-            device.createTexture({.label = "picture",
-                                  .size = {kSize, kSize},
-                                  .format = gpu::TextureFormat::RGBA8Unorm,
-                                  .usage = TextureUsage::TextureBinding | TextureUsage::CopyDst});
-        const std::vector<std::uint8_t> texels = [&] {
-            std::vector<std::uint8_t> values;
-            for (std::uint32_t i = 0; i < kSize * kSize; ++i)
-                values.insert(values.end(), {static_cast<std::uint8_t>(i), 100, 200, 255});
-            return values;
-        }();
-        device.queue().writeTexture(picture, texels.data(), texels.size());
-        const gpu::ExternalRenderTarget target = {.renderPass = screen.renderPass, .hasDepth = false};
-        const gpu::RenderPipeline pipeline = device.createRenderPipeline(
-            {.label = "show",
-             .vertex = device.createShaderModule({.label = "triangle", .code = test_triangle_spv}),
-             .fragment = device.createShaderModule({.label = "show", .code = test_show_spv}),
-             .targets = {{}},
-             .externalTarget = &target});
-        const gpu::BindGroup group =
-            device.createBindGroup({.label = "show",
-                                    .layout = pipeline.getBindGroupLayout(0),
-                                    .entries = {{.binding = 0, .textureView = picture.createView()}}});
-        window.frame([&](VkCommandBuffer commandBuffer, std::uint32_t slot) {
-            const gpu::CommandEncoder encoder = device.beginAdoptedFrame(commandBuffer, slot);
-            const auto pass =
-                encoder.beginRenderPass(gpu::ExternalRenderPassDescriptor{.label = "show",
-                                                                          .renderPass = screen.renderPass,
-                                                                          .framebuffer = screen.framebuffer,
-                                                                          .width = kSize,
-                                                                          .height = kSize,
-                                                                          .clearValues = {VkClearValue{}}});
-            pass.setPipeline(pipeline);
-            pass.setBindGroup(0, group);
-            pass.setPushConstants(1.0f);
-            pass.draw(3);
-            pass.end();
-            encoder.finish();
-            VkBufferImageCopy region = {};
-            region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-            region.imageExtent = {kSize, kSize, 1};
-            vkCmdCopyImageToBuffer(commandBuffer, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer, 1, &region);
-        });
-        vkDeviceWaitIdle(window.device);
-        void* data = nullptr;
-        vkMapMemory(window.device, bufferMemory, 0, VK_WHOLE_SIZE, 0, &data);
-        const auto* pixels = static_cast<const std::uint8_t*>(data);
-        for (std::size_t i = 0; i < kSize * kSize; ++i) {
-            ASSERT_EQ(pixels[4 * i], 200) << i;
-            ASSERT_EQ(pixels[4 * i + 1], 100) << i;
-            ASSERT_EQ(pixels[4 * i + 2], i) << i;
-        }
-        device.destroy();
-    }
-    vkDestroyBuffer(window.device, buffer, nullptr);
-    vkFreeMemory(window.device, bufferMemory, nullptr);
-    vkDestroyImageView(window.device, view, nullptr);
-    vkDestroyImage(window.device, image, nullptr);
-    vkFreeMemory(window.device, memory, nullptr);
+    device.destroy();
 }
 
 TEST(GpuAdopted, OwnDevicesHaveNoAdoptedFrames) {
     Window window;
     VkCommandBuffer commandBuffer = window.commandBuffers[0];
-    gpu_test::expectRejected([&] { (void)gpu_test::context().device.beginAdoptedFrame(commandBuffer, 0); },
-                             {"not adopted"});
-    gpu_test::expectRejected([] { (void)gpu::Device::adopt({.label = "nothing"}); }, {"\"nothing\"", "null"});
+    test::expectRejected([&] { (void)test::context().device.beginAdoptedFrame(commandBuffer, 0); }, {"not adopted"});
+    test::expectRejected([] { (void)gpu::Device::adopt({.label = "nothing"}); }, {"\"nothing\"", "null"});
 }
 
 }  // namespace

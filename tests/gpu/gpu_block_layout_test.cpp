@@ -4,7 +4,7 @@
 
 #include "kernels/test_affine.h"
 #include "kernels/test_block.h"
-#include "kernels/test_push.h"
+#include "kernels/test_immediates.h"
 #include "tests/gpu/kernels/test_parameters.h"
 #include "tests/support/gpu_fixture.h"
 
@@ -12,10 +12,10 @@ namespace {
 
 using gpu::BlockMember;
 using gpu::BufferUsage;
-using gpu_test::expectRejected;
-using gpu_test::GpuTest;
 using kernel::TestBlock;
 using kernel::TestInner;
+using test::expectRejected;
+using test::GpuTest;
 
 class GpuBlockLayout : public GpuTest {};
 
@@ -78,9 +78,10 @@ TEST_F(GpuBlockLayout, DerivedLayoutsSayWhatTheShaderNeeds) {
     EXPECT_EQ(entries[1].type, gpu::BindingType::StorageBuffer);
     EXPECT_EQ(entries[2].type, gpu::BindingType::UniformBuffer);
     EXPECT_EQ(entries[2].minBindingSize, 8u);
-    const gpu::ShaderModule push = device.createShaderModule({.label = "push", .code = test_push_spv});
-    EXPECT_EQ(push.pushConstantSize(), 128u);
-    EXPECT_EQ(push.stage(), gpu::ShaderStage::Compute);
+    const gpu::ShaderModule immediates =
+        device.createShaderModule({.label = "immediates", .code = test_immediates_spv});
+    EXPECT_EQ(immediates.immediateSize(), gpu::kMaxImmediateSize);
+    EXPECT_EQ(immediates.stage(), gpu::ShaderStage::Compute);
 }
 
 TEST_F(GpuBlockLayout, DamagedModulesAreRejected) {

@@ -8,8 +8,8 @@
 
 #include "kernels/test_affine.h"
 #include "kernels/test_feedback.h"
+#include "kernels/test_immediates.h"
 #include "kernels/test_mip.h"
-#include "kernels/test_push.h"
 #include "kernels/test_sample.h"
 #include "kernels/test_sum.h"
 #include "tests/support/gpu_fixture.h"
@@ -18,8 +18,8 @@ namespace {
 
 using gpu::BufferUsage;
 using gpu::TextureUsage;
-using gpu_test::context;
-using gpu_test::GpuTest;
+using test::context;
+using test::GpuTest;
 
 class GpuCompute : public GpuTest {};
 
@@ -52,7 +52,7 @@ TEST_F(GpuCompute, ScatterWithAtomicsAddsUp) {
         const auto pass = encoder.beginComputePass({.label = "sum"});
         pass.setPipeline(pipeline);
         pass.setBindGroup(0, group);
-        pass.setPushConstants(count);
+        pass.setImmediates(0, count);
         pass.dispatchWorkgroups((count + 63) / 64);
         pass.end();
     });
@@ -193,30 +193,55 @@ TEST_F(GpuCompute, StorageImageAccumulatesInPlace) {
     EXPECT_EQ(gpu::readTexture<float>(device, picture), std::vector<float>(13 * 9 * 4, 12.0f));
 }
 
-TEST_F(GpuCompute, PushConstantsOfTheLargestSizeReachTheShader) {
-    struct Push {
+TEST_F(GpuCompute, ImmediatesOfTheMaximumSizeReachTheShader) {
+    struct Immediates {
         std::uint32_t index;
         std::uint32_t value;
-        std::array<std::uint32_t, 30> more;
+        std::array<std::uint32_t, 14> more;
     };
-    static_assert(sizeof(Push) == gpu::kMaxPushConstantSize);
+    static_assert(sizeof(Immediates) == gpu::kMaxImmediateSize);
     const gpu::Buffer result = bufferOf("result", std::vector<std::uint32_t>(4, 0));
-    const gpu::ComputePipeline pipeline = pipelineOf("push", test_push_spv);
-    const gpu::BindGroup group = device.createBindGroup(
-        {.label = "push", .layout = pipeline.getBindGroupLayout(0), .entries = {{.binding = 0, .buffer = result}}});
+    const gpu::ComputePipeline pipeline = pipelineOf("immediates", test_immediates_spv);
+    const gpu::BindGroup group = device.createBindGroup({.label = "immediates",
+                                                         .layout = pipeline.getBindGroupLayout(0),
+                                                         .entries = {{.binding = 0, .buffer = result}}});
     run([&](const gpu::CommandEncoder& encoder) {
         const auto pass = encoder.beginComputePass();
         pass.setPipeline(pipeline);
         pass.setBindGroup(0, group);
         for (std::uint32_t i = 0; i < 4; ++i) {
-            Push push = {i, 100 * i, {}};
-            push.more[29] = i + 1;
-            pass.setPushConstants(push);
+            Immediates immediates = {i, 100 * i, {}};
+            immediates.more[13] = i + 1;
+            pass.setImmediates(0, immediates);
             pass.dispatchWorkgroups(1);
         }
         pass.end();
     });
     EXPECT_EQ(gpu::readBuffer<std::uint32_t>(device, result, 0, 4), (std::vector<std::uint32_t>{1, 102, 203, 304}));
+}
+
+TEST_F(GpuCompute, ImmediatesAreSetInPartsAndStaySet) {
+    const gpu::Buffer result = bufferOf("result", std::vector<std::uint32_t>(4, 0));
+    const gpu::ComputePipeline pipeline = pipelineOf("immediates", test_immediates_spv);
+    const gpu::BindGroup group = device.createBindGroup({.label = "immediates",
+                                                         .layout = pipeline.getBindGroupLayout(0),
+                                                         .entries = {{.binding = 0, .buffer = result}}});
+    run([&](const gpu::CommandEncoder& encoder) {
+        const auto pass = encoder.beginComputePass();
+        // Before any pipeline: index 0, value 100, last word 0.
+        std::array<std::uint32_t, 16> block = {};
+        block[1] = 100;
+        pass.setImmediates(0, block);
+        pass.setPipeline(pipeline);
+        pass.setBindGroup(0, group);
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            pass.setImmediates(0, i);
+            pass.setImmediates(60, 10 * i);
+            pass.dispatchWorkgroups(1);
+        }
+        pass.end();
+    });
+    EXPECT_EQ(gpu::readBuffer<std::uint32_t>(device, result, 0, 4), (std::vector<std::uint32_t>{100, 110, 120, 130}));
 }
 
 TEST_F(GpuCompute, IndirectDispatchReadsCountsAnotherDispatchWrote) {
@@ -243,7 +268,7 @@ TEST_F(GpuCompute, IndirectDispatchReadsCountsAnotherDispatchWrote) {
             0, device.createBindGroup({.label = "sum",
                                        .layout = sum.getBindGroupLayout(0),
                                        .entries = {{.binding = 0, .buffer = values}, {.binding = 1, .buffer = sums}}}));
-        pass.setPushConstants(std::uint32_t{1000});
+        pass.setImmediates(0, std::uint32_t{1000});
         pass.dispatchWorkgroupsIndirect(counts, 0);
         pass.end();
     });
@@ -335,7 +360,7 @@ TEST_F(GpuCompute, DynamicOffsetsPickThePartOfABuffer) {
 TEST_F(GpuCompute, PipelinesCompileInTheBackground) {
     const std::vector<std::uint32_t> values = randomValues(1000, 1000);
     const gpu::ShaderModule module = device.createShaderModule({.label = "sum", .code = test_sum_spv});
-    gpu_test::expectRejected(
+    test::expectRejected(
         [&] {
             static_cast<void>(device.createComputePipelineAsync(
                 {.label = "sum", .module = module, .constants = {{.key = "no such", .value = 1}}}));
@@ -357,7 +382,7 @@ TEST_F(GpuCompute, PipelinesCompileInTheBackground) {
         const auto pass = encoder.beginComputePass({.label = "sum"});
         pass.setPipeline(last);
         pass.setBindGroup(0, group);
-        pass.setPushConstants(static_cast<std::uint32_t>(values.size()));
+        pass.setImmediates(0, static_cast<std::uint32_t>(values.size()));
         pass.dispatchWorkgroups(16);
         pass.end();
     });
@@ -373,7 +398,7 @@ TEST_F(GpuCompute, PipelinesCompileInTheBackground) {
     for (int i = 0; i < 100; ++i)
         pipelines.push_back(other.createComputePipelineAsync({.label = "sum", .module = its}));
     other.destroy();
-    gpu_test::expectRejected([&] { static_cast<void>(other.createCommandEncoder()); }, {"destroyed"});
+    test::expectRejected([&] { static_cast<void>(other.createCommandEncoder()); }, {"destroyed"});
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ namespace {
 using gpu::BufferUsage;
 using gpu::MapAsyncStatus;
 using gpu::TextureUsage;
-using gpu_test::context;
-using gpu_test::GpuTest;
+using test::context;
+using test::GpuTest;
 
 class GpuObjects : public GpuTest {};
 
@@ -42,7 +42,7 @@ TEST_F(GpuObjects, AdapterSaysWhatItIsAndIsFoundByNameAndIndex) {
     EXPECT_EQ(context().instance.requestAdapter({.device = part}).info().name, all[0].info().name);
     EXPECT_EQ(context().instance.requestAdapter({.device = "0"}).info().name, all[0].info().name);
     const gpu::Error error =
-        gpu_test::errorOf([] { (void)context().instance.requestAdapter({.device = "no such device"}); });
+        test::errorOf([] { (void)context().instance.requestAdapter({.device = "no such device"}); });
     EXPECT_EQ(error.kind(), gpu::ErrorKind::NoAdapter);
     EXPECT_NE(std::string(error.what()).find(all[0].info().name), std::string::npos) << error.what();
 }
@@ -51,7 +51,7 @@ TEST_F(GpuObjects, ALoaderWithoutDriversIsAnErrorThatSaysSo) {
     const char* drivers = std::getenv("VK_ICD_FILENAMES");
     const std::string before = drivers != nullptr ? drivers : "";
     setenv("VK_ICD_FILENAMES", "/nonexistent/driver.json", 1);
-    const gpu::Error error = gpu_test::errorOf([] { (void)gpu::Instance::create().requestAdapter(); });
+    const gpu::Error error = test::errorOf([] { (void)gpu::Instance::create().requestAdapter(); });
     if (drivers != nullptr) {
         setenv("VK_ICD_FILENAMES", before.c_str(), 1);
     } else {
@@ -156,15 +156,15 @@ TEST_F(GpuObjects, MapAsyncArrivesFromTickAfterTheWork) {
     });
     EXPECT_EQ(calls, 0) << "the callback never comes from mapAsync itself";
     EXPECT_EQ(readable.mapState(), gpu::BufferMapState::Pending);
-    gpu_test::expectRejected([&] { (void)readable.getConstMappedRange(); }, {"\"readable\"", "not mapped"});
+    test::expectRejected([&] { (void)readable.getConstMappedRange(); }, {"\"readable\"", "not mapped"});
     while (calls == 0) {
         device.tick();
         std::this_thread::yield();
     }
     EXPECT_EQ(*static_cast<const std::uint32_t*>(readable.getConstMappedRange(4, 4)), 2u);
-    gpu_test::expectRejected([&] { (void)readable.getConstMappedRange(0, 4); }, {"\"readable\""});
-    gpu_test::expectRejected([&] { (void)readable.getMappedRange(4, 4); }, {"\"readable\"", "reading"});
-    gpu_test::expectRejected(
+    test::expectRejected([&] { (void)readable.getConstMappedRange(0, 4); }, {"\"readable\""});
+    test::expectRejected([&] { (void)readable.getMappedRange(4, 4); }, {"\"readable\"", "reading"});
+    test::expectRejected(
         [&] {
             run([&](const gpu::CommandEncoder& encoder) { encoder.copyBufferToBuffer(source, 0, readable, 0, 16); });
         },
@@ -201,7 +201,7 @@ TEST_F(GpuObjects, EverythingMayBeDroppedRightAfterSubmit) {
             0, device.createBindGroup({.label = "sum",
                                        .layout = pipeline.getBindGroupLayout(0),
                                        .entries = {{.binding = 0, .buffer = values}, {.binding = 1, .buffer = sums}}}));
-        pass.setPushConstants(std::uint32_t{50'000});
+        pass.setImmediates(0, std::uint32_t{50'000});
         pass.dispatchWorkgroups(782);
         pass.end();
         encoder.onCompleted([&] { completed = true; });
@@ -247,7 +247,7 @@ TEST_F(GpuObjects, DestroyKillsEveryHandleAndSaysSo) {
     EXPECT_TRUE(aborted);
     EXPECT_TRUE(done);
     EXPECT_EQ(lost, 1);
-    gpu_test::expectRejected([&] { (void)other.createCommandEncoder(); }, {"\"doomed\"", "destroyed"});
+    test::expectRejected([&] { (void)other.createCommandEncoder(); }, {"\"doomed\"", "destroyed"});
     other.destroy();
     EXPECT_EQ(lost, 1);
 }
@@ -411,7 +411,7 @@ TEST_F(GpuObjects, RenderPassDrawsWhatComputeAndCopiesLeft) {
             {.label = "show", .colorAttachments = {{.view = target.createView(), .clearValue = {1, 0, 0, 1}}}});
         pass.setPipeline(pipeline);
         pass.setBindGroup(0, group);
-        pass.setPushConstants(0.5f);
+        pass.setImmediates(0, 0.5f);
         pass.setScissorRect(0, 0, 8, 4);
         pass.draw(3);
         pass.end();

@@ -17,10 +17,10 @@ namespace {
 using gpu::BufferUsage;
 using gpu::TextureFormat;
 using gpu::TextureUsage;
-using gpu_test::context;
-using gpu_test::errorOf;
-using gpu_test::expectRejected;
-using gpu_test::GpuTest;
+using test::context;
+using test::errorOf;
+using test::expectRejected;
+using test::GpuTest;
 
 class GpuValidation : public GpuTest {
   protected:
@@ -200,13 +200,15 @@ TEST_F(GpuValidation, Passes) {
     pass.setPipeline(sum);
     expectRejected([&] { pass.dispatchWorkgroups(1); }, {"\"sum\"", "bind group at 0"});
     pass.setBindGroup(0, group);
-    expectRejected([&] { pass.dispatchWorkgroups(1); }, {"\"sum\"", "push constants", "0 are set"});
-    expectRejected([&] { pass.setPushConstants(std::uint16_t{1}); }, {"\"pass\"", "2 bytes", "declares 4"});
-    struct Long {
-        std::uint32_t words[20];
-    };
-    expectRejected([&] { pass.setPushConstants(Long{}); }, {"\"pass\"", "80 bytes", "declares 4"});
-    pass.setPushConstants(std::uint32_t{16});
+    expectRejected([&] { pass.dispatchWorkgroups(1); }, {"\"sum\"", "4 bytes of immediates", "byte 0 is not set"});
+    expectRejected([&] { pass.setImmediates(0, std::uint16_t{1}); }, {"\"pass\"", "2 bytes", "multiples of 4"});
+    expectRejected([&] { pass.setImmediates(2, std::uint32_t{1}); }, {"\"pass\"", "at byte 2", "multiples of 4"});
+    const std::array<std::uint32_t, 20> words = {};
+    expectRejected([&] { pass.setImmediates(0, words.data(), sizeof(words)); }, {"\"pass\"", "80 bytes", "64 bytes"});
+    expectRejected([&] { pass.setImmediates(60, words.data(), 8); }, {"\"pass\"", "at byte 60", "64 bytes"});
+    pass.setImmediates(4, std::uint32_t{16});
+    expectRejected([&] { pass.dispatchWorkgroups(1); }, {"\"sum\"", "byte 0 is not set"});
+    pass.setImmediates(0, std::uint32_t{16});
     EXPECT_NO_THROW(pass.dispatchWorkgroups(1));
     const std::uint32_t tooMany = device.limits().maxComputeWorkgroupsPerDimension;
     if (tooMany != ~0u) {

@@ -42,11 +42,11 @@ namespace {
 
 using Offsets = std::map<std::string, std::size_t>;
 
-/// Offsets the SPIR-V carries for a struct against what the C++ compiler made of the same text.
+/// Compares the offsets of a struct in the SPIR-V with those of the C++ compiler.
 void expectLayout(std::span<const std::uint32_t> code, const std::string& name, const Offsets& expected,
                   std::size_t size) {
     const gpu::ShaderModule module =
-        testing_support::device().createShaderModule({.label = "block layout of " + name, .code = code});
+        test::device().createShaderModule({.label = "block layout of " + name, .code = code});
     const gpu::BlockLayout layout = module.blockLayout(name);
     Offsets actual;
     for (const gpu::BlockMember& member : layout.members) actual[member.name] = member.offset;
@@ -76,7 +76,7 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
                  {MEMBER(BuildPyramidBlock, step), MEMBER(BuildPyramidBlock, width), MEMBER(BuildPyramidBlock, height),
                   MEMBER(BuildPyramidBlock, sourceWidth), MEMBER(BuildPyramidBlock, sourceHeight),
                   MEMBER(BuildPyramidBlock, finest), MEMBER(BuildPyramidBlock, blocks), MEMBER(BuildPyramidBlock, rows),
-                  MEMBER(BuildPyramidBlock, leastW), MEMBER(BuildPyramidBlock, scale), MEMBER(BuildPyramidBlock, pad0),
+                  MEMBER(BuildPyramidBlock, minW), MEMBER(BuildPyramidBlock, scale), MEMBER(BuildPyramidBlock, pad0),
                   MEMBER(BuildPyramidBlock, pad1)},
                  sizeof(kernel::BuildPyramidBlock));
     expectLayout(
@@ -95,12 +95,11 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
                  {MEMBER(RelaxMembraneBlock, width), MEMBER(RelaxMembraneBlock, height),
                   MEMBER(RelaxMembraneBlock, parity), MEMBER(RelaxMembraneBlock, overRelaxation)},
                  sizeof(kernel::RelaxMembraneBlock));
-    expectLayout(
-        fill_shepard_spv, "FillShepardBlock",
-        {MEMBER(FillShepardBlock, levelCount), MEMBER(FillShepardBlock, first), MEMBER(FillShepardBlock, count),
-         MEMBER(FillShepardBlock, opening), MEMBER(FillShepardBlock, leastCube), MEMBER(FillShepardBlock, pad0),
-         MEMBER(FillShepardBlock, pad1), MEMBER(FillShepardBlock, pad2)},
-        sizeof(kernel::FillShepardBlock));
+    expectLayout(fill_shepard_spv, "FillShepardBlock",
+                 {MEMBER(FillShepardBlock, levelCount), MEMBER(FillShepardBlock, first),
+                  MEMBER(FillShepardBlock, count), MEMBER(FillShepardBlock, opening), MEMBER(FillShepardBlock, minCube),
+                  MEMBER(FillShepardBlock, pad0), MEMBER(FillShepardBlock, pad1), MEMBER(FillShepardBlock, pad2)},
+                 sizeof(kernel::FillShepardBlock));
     expectLayout(march_rays_spv, "MarchBlock",
                  {MEMBER(MarchBlock, rayCount), MEMBER(MarchBlock, share), MEMBER(MarchBlock, stepSize),
                   MEMBER(MarchBlock, maxDistance), MEMBER(MarchBlock, without), MEMBER(MarchBlock, workers),
@@ -113,8 +112,8 @@ TEST(KernelBlocks, HaveTheSameLayoutInBothLanguages) {
          MEMBER(GeometryBlock, environmentHeight), MEMBER(GeometryBlock, tableColumns),
          MEMBER(GeometryBlock, tableRows), MEMBER(GeometryBlock, tableCell), MEMBER(GeometryBlock, meanLuminance),
          MEMBER(GeometryBlock, environmentSampled), MEMBER(GeometryBlock, pyramidFinest),
-         MEMBER(GeometryBlock, pyramidRows), MEMBER(GeometryBlock, pyramidBlocks), MEMBER(GeometryBlock, leastW),
-         MEMBER(GeometryBlock, greatestW), MEMBER(GeometryBlock, pad0)},
+         MEMBER(GeometryBlock, pyramidRows), MEMBER(GeometryBlock, pyramidBlocks), MEMBER(GeometryBlock, minW),
+         MEMBER(GeometryBlock, maxW), MEMBER(GeometryBlock, pad0)},
         sizeof(kernel::GeometryBlock));
     expectLayout(reshade_spv, "ReshadeBlock",
                  {MEMBER(ReshadeBlock, firstPixel), MEMBER(ReshadeBlock, pixelCount), MEMBER(ReshadeBlock, firstSample),

@@ -14,22 +14,22 @@
 namespace {
 
 using core::Vector3f;
-using testing_support::AnalyticScene;
+using test::AnalyticScene;
 
 kernel::vec4 texel(const core::DepthLayers::Patch& patch) { return {patch.w, patch.gu, patch.gv, 0}; }
 
 struct Scene {
     explicit Scene(const AnalyticScene& source,
                    std::uint64_t maxPyramidCells = std::numeric_limits<std::uint64_t>::max())
-        : layers(source.layers()), geometry(testing_support::device(), maxPyramidCells) {
+        : layers(source.layers()), geometry(test::device(), maxPyramidCells) {
         geometry.setLayers(layers, source.photo->color, *source.front, *source.back);
         geometry.setEnvironment(*source.environment);
-        const gpu::CommandEncoder encoder = testing_support::device().createCommandEncoder({.label = "pyramid"});
+        const gpu::CommandEncoder encoder = test::device().createCommandEncoder({.label = "pyramid"});
         geometry.record(encoder);
-        testing_support::device().queue().submit(encoder.finish());
+        test::device().queue().submit(encoder.finish());
     }
     std::vector<render::RayHit> march(const std::vector<render::Ray>& rays) {
-        render::RayMarcher marcher(testing_support::device(), geometry);
+        render::RayMarcher marcher(test::device(), geometry);
         return marcher.march(rays, render::MarchMethod::Pyramid);
     }
     core::DepthLayers layers;
@@ -43,7 +43,7 @@ std::vector<render::Ray> randomRays(const AnalyticScene& scene, int count, unsig
     const core::Camera& camera = scene.photo->camera;
     std::vector<render::Ray> rays;
     while (rays.size() < static_cast<std::size_t>(count)) {
-        Vector3f direction = testing_support::randomDirection(random);
+        Vector3f direction = test::randomDirection(random);
         if (rays.size() % 4 == 3) {
             const float z = 0.3f + 2 * uniform(random);
             rays.push_back({camera.ray(uniform(random) * static_cast<float>(camera.width),
@@ -83,14 +83,14 @@ double agreement(const core::DepthLayers& layers, const std::vector<render::Ray>
 
 TEST(Pyramid, HoldsTheRangesOfItsCellsOnAnySize) {
     for (const auto& [width, height] : {std::pair{64, 64}, std::pair{97, 61}, std::pair{5, 130}, std::pair{1, 1}}) {
-        const AnalyticScene source = testing_support::makeRandomScene(width, height, 3);
+        const AnalyticScene source = test::randomSpheres(width, height, 3);
         const Scene scene(source);
         const render::PyramidShape& shape = scene.geometry.pyramidShape();
         ASSERT_EQ(shape.finest, 0u);
         ASSERT_GE(1 << shape.top, std::max(width, height)) << "the top is a single cell";
-        const auto [leastW, greatestW] = scene.geometry.rangeOfW();
-        const float scale = kernel::rangeScale(leastW, greatestW);
-        const auto cells = gpu::readTexture<kernel::uint>(testing_support::device(), scene.geometry.pyramid());
+        const auto [minW, maxW] = scene.geometry.rangeOfW();
+        const float scale = kernel::rangeScale(minW, maxW);
+        const auto cells = gpu::readTexture<kernel::uint>(test::device(), scene.geometry.pyramid());
         ASSERT_GE(cells.size(), shape.cells());
         for (std::uint32_t level = 0; level <= shape.top; ++level) {
             const int size = 1 << level;
@@ -112,8 +112,8 @@ TEST(Pyramid, HoldsTheRangesOfItsCellsOnAnySize) {
                         ASSERT_EQ(cell, kernel::kEmptyCell) << where;
                         continue;
                     }
-                    const float low = (expected.x - leastW) * scale + kernel::kRangeStart;
-                    const float high = (expected.y - leastW) * scale + kernel::kRangeStart;
+                    const float low = (expected.x - minW) * scale + kernel::kRangeStart;
+                    const float high = (expected.y - minW) * scale + kernel::kRangeStart;
                     ASSERT_NEAR(static_cast<float>(cell & 0xffffu), low - 2.5f, 0.6f) << where;
                     ASSERT_NEAR(static_cast<float>(cell >> 16u), high + 2.5f, 0.6f) << where;
                 }
@@ -139,7 +139,7 @@ TEST(Pyramid, DropsItsFinestLevelsWhenTheDeviceHoldsNoMore) {
 
 TEST(March, AgreesWithTheOracleOnRandomScenes) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
-        const AnalyticScene source = testing_support::makeRandomScene(211 + 30 * static_cast<int>(seed), 157, seed);
+        const AnalyticScene source = test::randomSpheres(211 + 30 * static_cast<int>(seed), 157, seed);
         Scene scene(source);
         const auto rays = randomRays(source, 20000, seed);
         std::size_t hits = 0;
@@ -149,7 +149,7 @@ TEST(March, AgreesWithTheOracleOnRandomScenes) {
 }
 
 TEST(March, AgreesWithTheOracleWithoutTheFinestLevelsOfThePyramid) {
-    const AnalyticScene source = testing_support::makeRandomScene(97, 61, 5);
+    const AnalyticScene source = test::randomSpheres(97, 61, 5);
     for (const std::uint64_t cells : {3000u, 800u, 256u}) {
         Scene scene(source, cells);
         ASSERT_GT(scene.geometry.pyramidShape().finest, 0u);
@@ -164,23 +164,23 @@ TEST(March, AgreesWithTheOracleWithoutTheFinestLevelsOfThePyramid) {
 TEST(March, HitsASphereWhereTheMathsSays) {
     const Vector3f center(0, 0, 1);
     const float radius = 0.2f;
-    const AnalyticScene source = testing_support::makeAnalyticScene(400, 300, {{center, radius, 2}}, 0,
-                                                                    [](const Vector3f&) { return Vector3f(1, 1, 1); });
+    const AnalyticScene source =
+        test::spheresOnFloor(400, 300, {{center, radius, 2}}, 0, [](const Vector3f&) { return Vector3f(1, 1, 1); });
     Scene scene(source);
     std::mt19937 random(5);
     std::vector<render::Ray> rays;
-    std::vector<double> expected;  // distance, < 0 = passes by
+    std::vector<double> expected;  // distance, < 0 = misses
     while (rays.size() < 4000) {
         // From a point beside the sphere, inside the view cone, towards a random point around it.
-        const Vector3f origin = Vector3f(0, 0, 1) + 0.33f * testing_support::randomDirection(random);
+        const Vector3f origin = Vector3f(0, 0, 1) + 0.33f * test::randomDirection(random);
         if (std::abs(origin.x()) > 0.28f * origin.z() || std::abs(origin.y()) > 0.2f * origin.z()) continue;
-        const Vector3f target = center + 0.3f * testing_support::randomDirection(random);
+        const Vector3f target = center + 0.3f * test::randomDirection(random);
         const Vector3f d = (target - origin).normalized();
         const Eigen::Vector3d o = (origin - center).cast<double>();
         const double b = o.dot(d.cast<double>());
         const double root = b * b - (o.squaredNorm() - double{radius} * radius);
         const double closest = std::sqrt(o.squaredNorm() - b * b);
-        if (std::abs(closest - double{radius}) < 0.02) continue;  // grazing: the silhouette's pixels decide
+        if (std::abs(closest - double{radius}) < 0.02) continue;  // grazing rays depend on the pixels of the outline
         rays.push_back({origin, d});
         expected.push_back(root > 0 && b < 0 ? -b - std::sqrt(root) : -1.0);
     }
@@ -192,18 +192,18 @@ TEST(March, HitsASphereWhereTheMathsSays) {
         else if (hits[i].found && std::abs(double{hits[i].distance} - expected[i]) > 0.01)
             ++wrong;
     }
-    // The silhouette seen from the camera is a band of pixels where the two halves meet in a step.
+    // In a band of pixels along the outline the two halves meet in a step.
     EXPECT_LE(wrong, rays.size() / 100);
 }
 
 TEST(March, SurvivesDegenerateRays) {
-    const AnalyticScene source = testing_support::makeRandomScene(128, 96, 9);
+    const AnalyticScene source = test::randomSpheres(128, 96, 9);
     Scene scene(source);
     const core::Camera& camera = source.photo->camera;
     const float nan = std::nanf("");
     std::vector<render::Ray> rays = {
         {{0, 0, 0.5f}, {0, 0, 1}},         // along the view direction, away from the camera
-        {{0, 0, 3.0f}, {0, 0, -1}},        // towards the camera: w grows without end
+        {{0, 0, 3.0f}, {0, 0, -1}},        // towards the camera: w grows without limit
         {camera.ray(64, 48), {1, 0, 0}},   // axis-parallel on a cell border
         {camera.ray(64, 48), {0, -1, 0}},  // the other axis
         {camera.ray(32, 32) * 2, {0, 0, 1}},
@@ -228,7 +228,7 @@ TEST(March, SurvivesDegenerateRays) {
         EXPECT_TRUE(!hits[i].found || std::isfinite(hits[i].distance)) << "ray " << i;
 }
 
-/// Rays with a hit far away beside such that end at once, in an order that no workgroup's share repeats.
+/// Rays with distant hits among rays that end at once, in an order that does not repeat with any workgroup's share.
 std::vector<render::Ray> unevenRays(const AnalyticScene& source, int count) {
     std::vector<render::Ray> rays = randomRays(source, count, 11);
     std::mt19937 random(12);
@@ -248,9 +248,9 @@ std::vector<render::Ray> unevenRays(const AnalyticScene& source, int count) {
 }
 
 TEST(March, EndsEveryRayOfALongList) {
-    const AnalyticScene source = testing_support::makeRandomScene(211, 157, 2);
+    const AnalyticScene source = test::randomSpheres(211, 157, 2);
     Scene scene(source);
-    // Larger than what all workgroups take at once, and a multiple of nothing.
+    // More than all workgroups take at once, and a multiple of no block size.
     const auto rays = unevenRays(source, 200003);
     const auto hits = scene.march(rays);
     std::size_t oracleHits = 0;
@@ -269,7 +269,7 @@ TEST(March, EndsEveryRayOfALongList) {
 }
 
 TEST(March, GivesEachRayItsHitWhateverTheLengthOfTheList) {
-    const AnalyticScene source = testing_support::makeRandomScene(128, 96, 4);
+    const AnalyticScene source = test::randomSpheres(128, 96, 4);
     Scene scene(source);
     const auto rays = unevenRays(source, 3000);
     const auto all = scene.march(rays);
@@ -290,15 +290,15 @@ TEST(March, GivesEachRayItsHitWhateverTheLengthOfTheList) {
 
 /// Label 2.
 AnalyticScene lonelySphere() {
-    return testing_support::makeAnalyticScene(200, 150, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0,
-                                              [](const Vector3f&) { return Vector3f(1, 1, 1); });
+    return test::spheresOnFloor(200, 150, {{Vector3f(0, 0, 1), 0.2f, 2}}, 0,
+                                [](const Vector3f&) { return Vector3f(1, 1, 1); });
 }
 
 TEST(March, LeavesOutWhatTheListIsMarchedWithout) {
     const AnalyticScene source = lonelySphere();
     Scene scene(source);
     const auto rays = randomRays(source, 4000, 7);
-    render::RayMarcher marcher(testing_support::device(), scene.geometry);
+    render::RayMarcher marcher(test::device(), scene.geometry);
     const auto isSphere = [&](const render::RayHit& hit) {
         return hit.found && scene.layers.labels(hit.x, hit.y) == 2;
     };
@@ -312,7 +312,7 @@ TEST(March, ConstantStepsAgreeOnThickSolids) {
     const AnalyticScene source = lonelySphere();
     Scene scene(source);
     const auto rays = randomRays(source, 4000, 7);
-    render::RayMarcher marcher(testing_support::device(), scene.geometry);
+    render::RayMarcher marcher(test::device(), scene.geometry);
     const auto exact = marcher.march(rays, render::MarchMethod::Pyramid);
     const auto steps = marcher.march(rays, render::MarchMethod::ConstantSteps, {.stepSize = 0.0005f, .maxDistance = 1});
     std::size_t same = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// BRDFs that the user wrote: what the compiler and the check say of them, and what they render.
+// BRDFs that the user wrote: messages of the compiler and the check, and their pictures.
 #include <gtest/gtest.h>
 
 #include "core/material/brdf_file.h"
@@ -14,12 +14,12 @@
 
 namespace {
 
-using namespace testing_support;
+using namespace test;
 using test::evaluating;
 using test::expectError;
 using test::kMattBrdf;
 
-/// The program's own ggx, in a file.
+/// The built-in ggx as a file.
 const std::string kGgx = R"(uniform vec3 specular;
 uniform float alpha = 0.2;  // 0.01 to 1, log
 vec3 evaluate(vec3 wo, vec3 wi) { return fresnel(dot(wo, normalize(wo + wi))) * ggx_lobe(vec2(alpha), wo, wi); }
@@ -87,7 +87,7 @@ TEST_F(UserBrdf, WhoseValuesAreWrongIsRefused) {
     refused(evaluating("return vec3(0.2 / (wi.z - wi.z));"), {"a.brdf.glsl:2: ", "infinite or not a number"});
     refused(evaluating("return albedo * (0.3 - wi.z);"), {"a.brdf.glsl:2: ", "negative"});
     refused(evaluating("return albedo * 0.4;"), {"a.brdf.glsl:2: ", "1.257 times what it receives"});
-    // Only at the end of a parameter's range.
+    // Wrong only at the end of a parameter's range.
     refused("uniform float gain = 0.3;  // 0 to 0.6\n" + evaluating("return albedo * gain;"),
             {"a.brdf.glsl:3: ", "1.885 times", "gain = 0.6"});
 }
@@ -98,7 +98,7 @@ TEST_F(UserBrdf, WhoseSamplesAreWrongIsRefused) {
     refused(
         test::replaced(test::sampling(half), "return wi.z * kInvPi", "return wi.x > 0.0 ? 2.0 * wi.z * kInvPi : 0.0"),
         {"a.brdf.glsl:4: ", "leaves out directions", "0.5 of the light by samples"});
-    // A lobe that is a tenth wider than its density says.
+    // A lobe that is a tenth wider than its density.
     refused(test::replaced(kGgx, "ggx_lobe_pdf(vec2(alpha)", "ggx_lobe_pdf(vec2(1.1 * alpha)"),
             {"a.brdf.glsl:5: ", "does not follow pdf()"});
     refused(test::sampling("return 1.1 * sample_cosine_hemisphere(u);"), {"a.brdf.glsl:4: ", "unit length"});
@@ -111,7 +111,7 @@ TEST_F(UserBrdf, ThatWouldNotEndIsRefused) {
 
 TEST_F(UserBrdf, RendersAsTheSameBrdfOfTheProgram) {
     const AnalyticScene source = stillLife();
-    core::Scene own = source.scene();
+    core::Scene own = source.scene;
     own.render.samples = 4;
     own.render.filter = false;
     own.findSegment(2)->edit = material("ggx");
@@ -120,7 +120,7 @@ TEST_F(UserBrdf, RendersAsTheSameBrdfOfTheProgram) {
     own.findSegment(3)->edit = material("lambert");
     own.findSegment(3)->edit->translucency = core::Translucency();
     own.render.surfaceSamples = 500;
-    const core::ImageRgb expected = core::renderReference(own, source.analysis());
+    const core::ImageRgb expected = core::renderReference(own, source.analysis);
 
     core::Scene user = own;
     for (core::Segment& segment : user.segments) {
@@ -134,16 +134,16 @@ TEST_F(UserBrdf, RendersAsTheSameBrdfOfTheProgram) {
         EXPECT_EQ(m.fresnel, segment.edit->fresnel);
         segment.edit = m;
     }
-    const core::ImageRgb actual = render::renderImage(device(), user, source.analysis());
+    const core::ImageRgb actual = render::renderImage(device(), user, source.analysis);
     EXPECT_GE(equalShare(actual, expected, source.photo->labels, 2), 0.97);
-    // The sum below the surface differs from the reference's, but not from the device's own.
-    const core::ImageRgb same = render::renderImage(device(), own, source.analysis());
+    // The sum below the surface differs from that of the reference, but not from the device's own.
+    const core::ImageRgb same = render::renderImage(device(), own, source.analysis);
     EXPECT_GE(equalShare(actual, same, source.photo->labels, 3), 0.97);
 }
 
 TEST_F(UserBrdf, KeepsThePictureUntilAnotherIsCompiled) {
     const AnalyticScene source = stillLife();
-    core::Scene scene = source.scene();
+    core::Scene scene = source.scene;
     scene.render.samples = 2;
     const auto edit = [&](const std::string& text) { scene.findSegment(2)->edit = core::fileMaterial(load(text)); };
     render::Renderer renderer(device());
@@ -161,17 +161,17 @@ TEST_F(UserBrdf, KeepsThePictureUntilAnotherIsCompiled) {
     const auto differ = [&](const core::ImageRgb& a, const core::ImageRgb& b) {
         return !std::equal(a.pixels().begin(), a.pixels().end(), b.pixels().begin());
     };
-    renderer.setScene(scene, source.analysis());
+    renderer.setScene(scene, source.analysis);
     EXPECT_FALSE(differ(finish(), source.photo->color));
     edit(kMattBrdf);
-    renderer.setScene(scene, source.analysis());
+    renderer.setScene(scene, source.analysis);
     ASSERT_TRUE(record(0));
     EXPECT_FALSE(differ(render::readResult(device(), renderer), source.photo->color));
     const core::ImageRgb matt = finish();
     EXPECT_TRUE(differ(matt, source.photo->color));
 
     edit(evaluating("return albedo * 0.01;"));
-    renderer.setScene(scene, source.analysis());
+    renderer.setScene(scene, source.analysis);
     ASSERT_TRUE(record(0));
     EXPECT_FALSE(renderer.progress().finished);
     EXPECT_FALSE(differ(render::readResult(device(), renderer), matt));
@@ -180,7 +180,7 @@ TEST_F(UserBrdf, KeepsThePictureUntilAnotherIsCompiled) {
 }
 
 TEST_F(UserBrdf, OfTooManyFilesIsRefused) {
-    core::Scene scene = stillLife().scene();
+    core::Scene scene = stillLife().scene;
     scene.segments.resize(9);
     for (std::size_t i = 0; i < 9; ++i) {
         scene.segments[i].label = static_cast<std::uint16_t>(i + 1);

@@ -220,7 +220,7 @@ TEST(Furnace, WhiteDiffuseBodiesReturnOneAtEveryRoughnessAndUnderASmoothCoating)
 }
 
 TEST(Anisotropy, StretchesTheReflectionAlongTheAxisOfTheRougherWidth) {
-    // Seen from above, f at a half vector tilted along x or y tells the widths; a turn by 90 degrees swaps them.
+    // Seen from above, f at a half vector tilted along x or y reveals the widths; a turn by 90 degrees swaps them.
     const auto ratio = [](const core::Material& m) {
         const kernel::BrdfParams b = core::toKernel(m, core::Vector3f(1, 1, 1));
         const vec3 wo = direction(0, 0);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -12,7 +13,7 @@
 #include "core/shading/image_filter.h"
 #include "core/shading/reference_renderer.h"
 #include "core/shading/surface_samples.h"
-#include "tests/support/shading_scene.h"
+#include "tests/support/analytic_scene.h"
 #include "tests/support/statistics.h"
 
 namespace core {
@@ -24,8 +25,8 @@ using test::squareCamera;
 
 /// Sky of radiance 1 with a sun of `radius` [rad] that adds as much light as three times the sky.
 std::function<Vector3f(const Vector3f&)> sky(float radius, const Vector3f& towards) {
-    const float solidAngle = 2 * static_cast<float>(M_PI) * (1 - std::cos(radius));
-    const float sun = 3 * 4 * static_cast<float>(M_PI) / solidAngle;
+    const float solidAngle = 2 * static_cast<float>(std::numbers::pi) * (1 - std::cos(radius));
+    const float sun = 3 * 4 * static_cast<float>(std::numbers::pi) / solidAngle;
     return [=, d = towards.normalized()](const Vector3f& v) {
         return Vector3f(Vector3f::Constant(v.dot(d) > std::cos(radius) ? 1 + sun : 1.0f));
     };

@@ -11,11 +11,12 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "shaders/shared/rng.h"
-#include "tests/support/shading_scene.h"
+#include "tests/support/analytic_scene.h"
 
 namespace core {
 namespace {
@@ -149,7 +150,7 @@ TEST(ReferenceRenderer, OneBounceFromAWallIsItsFormFactor) {
                 const double wy = -1 + 1.5 * (j + 0.5) / kGrid;
                 const Eigen::Vector3d d(wx - p.x(), wy - p.y(), wallZ - p.z());
                 const double r2 = d.squaredNorm();
-                form += -d.y() * d.z() / (r2 * r2) / M_PI * (2.0 / kGrid) * (1.5 / kGrid);
+                form += -d.y() * d.z() / (r2 * r2) / std::numbers::pi * (2.0 / kGrid) * (1.5 / kGrid);
             }
         const double hits = form * kSamples;
         const double tolerance = 4.5 * std::sqrt(hits) / kSamples + 0.01 * form;
@@ -226,7 +227,7 @@ TEST(ReferenceRenderer, MirrorsInterpolateWithinASurfaceAndNotBeyondIt) {
         for (std::uint32_t i = 0; i < kSamples; ++i) sum += static_cast<double>(renderer.pathRadiance(x, 52, i).x());
         return sum / kSamples;
     };
-    // Bilinear between centres, meant over a column: an eighth of what is beside it.
+    // Bilinear between centres, averaged over a column: an eighth comes from each neighbour.
     const AnalyticScene one = scene(2);
     EXPECT_NEAR(mirrored(one, 30), 0, 1e-6);
     EXPECT_NEAR(mirrored(one, 31), 0.125, 0.02);
@@ -247,7 +248,7 @@ TEST(ReferenceTranslucency, FlatSlabInUniformLightReturnsTheDiffuseReflectance) 
     s.edit(1, "none").translucency = t;
     const ReferenceRenderer renderer(s.scene, s.analysis);
     const SurfaceSamples samples = sampleSurface(*s.analysis, s.scene.photo->labels, 1, 12000, 3);
-    const std::vector<Vector3f> light(samples.samples.size(), Vector3f::Constant(static_cast<float>(M_PI)));
+    const std::vector<Vector3f> light(samples.samples.size(), Vector3f::Constant(static_cast<float>(std::numbers::pi)));
     const ImageRgb b = renderer.translucentRadiosity(samples, light, 1, profileFromTranslucency(t));
     Vector3f sum = Vector3f::Zero();
     for (int y = 28; y < 36; ++y)
@@ -269,7 +270,8 @@ TEST(ReferenceTranslucency, OpaqueLimitIsALambertSurface) {
     // Light that is brighter to the right, linearly: symmetric blur leaves it as it is.
     std::vector<Vector3f> light;
     for (const SurfaceSample& p : samples.samples)
-        light.push_back(Vector3f::Constant(p.back ? 0 : static_cast<float>(M_PI) * (1 + 0.5f * p.position.x())));
+        light.push_back(
+            Vector3f::Constant(p.back ? 0 : static_cast<float>(std::numbers::pi) * (1 + 0.5f * p.position.x())));
     const ImageRgb b =
         renderer.translucentRadiosity(samples, light, 1, blurred(profileFromTranslucency(t), samples.areaPerSample()));
     const Vector3f albedo = diffuseReflectance(t);
@@ -297,7 +299,7 @@ TEST(ReferenceTranslucency, ThinSlabGlowsWhenLitFromBehind) {
         const SurfaceSamples samples = sampleSurface(*s.analysis, s.scene.photo->labels, 1, 4000, 3);
         std::vector<Vector3f> light;
         for (const SurfaceSample& p : samples.samples)
-            light.push_back(Vector3f::Constant(p.back ? static_cast<float>(M_PI) : 0));
+            light.push_back(Vector3f::Constant(p.back ? static_cast<float>(std::numbers::pi) : 0));
         return renderer.translucentRadiosity(samples, light, 1, profileFromTranslucency(t))(32, 32);
     };
     const Vector3f thin = glow(0.05f);
@@ -309,7 +311,7 @@ TEST(ReferenceTranslucency, ThinSlabGlowsWhenLitFromBehind) {
         double expected = 0;
         for (int i = 0; i < 4000; ++i) {
             const double r = (i + 0.5) * 1e-3;
-            expected += profile.evaluate(c, r * r + 0.05 * 0.05) * 2 * M_PI * r * 1e-3;
+            expected += profile.evaluate(c, r * r + 0.05 * 0.05) * 2 * std::numbers::pi * r * 1e-3;
         }
         if (c > 0) {
             EXPECT_NEAR(static_cast<double>(thin[c]), expected, 0.05 * expected) << "the picture ends too soon for red";
@@ -335,8 +337,8 @@ TEST(ReferenceTranslucency, SphereInUniformLightMatchesTheIntegral) {
     s.scene.render.irradianceSamples = 4;
     const DiffusionProfile profile = profileFromTranslucency(t);
     const SurfaceSamples samples = sampleSurface(*s.analysis, s.scene.photo->labels, 1, 10000, 3);
-    // The camera sees a little less than half of the sphere and the back layer is the rest of it.
-    EXPECT_NEAR(samples.area, 4 * M_PI * radius * radius, 0.02 * 4 * M_PI * radius * radius);
+    // The camera sees slightly less than half of the sphere; the back layer is the rest.
+    EXPECT_NEAR(samples.area, 4 * std::numbers::pi * radius * radius, 0.02 * 4 * std::numbers::pi * radius * radius);
 
     const ReferenceRenderer renderer(s.scene, s.analysis);
     const ImageRgb result = renderer.translucency();
@@ -344,7 +346,8 @@ TEST(ReferenceTranslucency, SphereInUniformLightMatchesTheIntegral) {
     constexpr int kSteps = 20000;
     for (int i = 0; i < kSteps; ++i) {
         const double r = 2.0 * radius * (i + 0.5) / kSteps;
-        for (int c = 0; c < 3; ++c) expected[c] += profile.evaluate(c, r * r) * (2 * M_PI * r * 2 * radius / kSteps);
+        for (int c = 0; c < 3; ++c)
+            expected[c] += profile.evaluate(c, r * r) * (2 * std::numbers::pi * r * 2 * radius / kSteps);
     }
     Vector3f sum = Vector3f::Zero();
     for (int y = 40; y < 56; ++y)
@@ -395,7 +398,7 @@ TEST(ReferenceTranslucency, NeverReflectsMoreThanItReceives) {
                  profile.evaluate(1, static_cast<double>((p - samples.samples[i].position).squaredNorm()));
     EXPECT_GT(whole, 1.5);
 
-    std::vector<Vector3f> light(areas.size(), Vector3f::Constant(static_cast<float>(M_PI)));
+    std::vector<Vector3f> light(areas.size(), Vector3f::Constant(static_cast<float>(std::numbers::pi)));
     const Vector3f uniform = brightest(light);
     EXPECT_NEAR(uniform.x(), 1, 1e-5f) << "as bright as white, no brighter";
     EXPECT_NEAR(uniform.y(), 1, 1e-5f);
@@ -416,7 +419,7 @@ TEST(ReferenceTranslucency, SpreadOfSamplesDoesNotShow) {
     const ReferenceRenderer renderer(s.scene, s.analysis);
     const SurfaceSamples samples = sampleSurface(*s.analysis, s.scene.photo->labels, 1, 2000, 3);
     DiffusionProfile profile = blurred(profileFromTranslucency(t), samples.areaPerSample());
-    std::vector<Vector3f> light(samples.samples.size(), Vector3f::Constant(static_cast<float>(M_PI)));
+    std::vector<Vector3f> light(samples.samples.size(), Vector3f::Constant(static_cast<float>(std::numbers::pi)));
     const Vector3f reflectance = diffuseReflectance(t);
     const auto deviation = [&](const DiffusionProfile& p) {
         const ImageRgb b = renderer.translucentRadiosity(samples, light, 1, p);
@@ -462,11 +465,11 @@ TEST(ReferenceTranslucency, FresnelBoundaryDimsLightOnBothWays) {
     const std::vector<Vector3f> boundary = renderer.irradiance(samples, 1, 1.3f, 400);
     double sum = 0;
     for (std::size_t i = 0; i < matched.size(); ++i) {
-        EXPECT_NEAR(matched[i].x(), M_PI, 1e-3);
+        EXPECT_NEAR(matched[i].x(), std::numbers::pi, 1e-3);
         sum += static_cast<double>(boundary[i].x()) / static_cast<double>(matched.size());
     }
     // Mean transmission of diffuse light into the medium, by reciprocity from the inside value.
-    EXPECT_NEAR(sum, M_PI * 1.69 * (1 - internalDiffuseFresnel(1.3)), 0.01);
+    EXPECT_NEAR(sum, std::numbers::pi * 1.69 * (1 - internalDiffuseFresnel(1.3)), 0.01);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every BRDF has to fulfil, as checks of one BRDF from one view direction.
+// Properties required of every BRDF, as checks of one BRDF from one view direction.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using kernel::vec2;
 using kernel::vec3;
 using std::numbers::pi;
 
-/// A BRDF and where it is seen from.
+/// A BRDF and a view direction.
 struct BrdfCase {
     kernel::BrdfParams brdf;
     vec3 wo;
@@ -63,7 +63,7 @@ double integrateHemisphere(const F& f, const vec3& wo, double tolerance) {
     return sum;
 }
 
-/// Chi-squared test of 100 000 samples; refused below the probability `significance`.
+/// Chi-squared test of 100 000 samples; fails below the probability `significance`.
 inline void expectSamplesFollowThePdf(const BrdfCase& c, double significance) {
     constexpr int kTheta = 12;
     constexpr int kPhi = 24;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What drivers, the validation layer, the encoder of test pictures (x265) and OpenImageIO's error messages leave behind
-// is not ours to judge. They are unloaded before the leak check, which then cannot name them; so under AddressSanitizer
-// libraries stay loaded, and leaks from these are not reported.
+// Suppresses leaks of drivers, the validation layer, the encoder of test pictures (x265) and OpenImageIO's error
+// messages. These libraries are usually unloaded before the leak check, which then cannot name them. Under
+// AddressSanitizer they therefore stay loaded, so that their leaks can be suppressed by name.
 #ifdef __SANITIZE_ADDRESS__
 #include <dlfcn.h>
 

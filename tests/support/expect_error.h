@@ -10,7 +10,7 @@
 
 namespace test {
 
-/// Runs `action`, which has to throw a core::Error of this kind whose message contains all of `parts`.
+/// Expects `action` to throw a core::Error of this kind whose message contains all of `parts`.
 template <class Action>
 void expectError(core::ErrorKind kind, const std::vector<std::string>& parts, Action&& action) {
     try {

@@ -13,9 +13,9 @@
 #include "gpu/instance.h"
 #include "gpu/readback.h"
 
-namespace gpu_test {
+namespace test {
 
-/// One instance and device per process; validation as the environment says (CTest: fatal).
+/// One instance and device per process; the environment sets validation (CTest: fatal).
 struct Context {
     gpu::Instance instance = gpu::Instance::create();
     gpu::Adapter adapter = instance.requestAdapter();
@@ -75,7 +75,7 @@ inline gpu::Error errorOf(const std::function<void()>& call) {
     return gpu::Error(gpu::ErrorKind::Internal, "");
 }
 
-/// Expects a validation error whose message holds every one of `parts`.
+/// Expects a validation error whose message contains all of `parts`.
 inline void expectRejected(const std::function<void()>& call, const std::vector<std::string>& parts) {
     const gpu::Error error = errorOf(call);
     EXPECT_EQ(error.kind(), gpu::ErrorKind::Validation) << error.what();
@@ -83,4 +83,4 @@ inline void expectRejected(const std::function<void()>& call, const std::vector<
         EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
 }
 
-}  // namespace gpu_test
+}  // namespace test

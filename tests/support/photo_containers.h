@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Photographs that carry their depth, put together byte by byte without the code under test.
+// Photographs with embedded depth, assembled byte by byte without the code under test.
 #pragma once
 
 #include <libheif/heif.h>
@@ -114,7 +114,7 @@ inline std::string mpfSegment(std::uint32_t offset, std::uint32_t size) {
     return jpegSegment(0xe2, std::string("MPF\0", 4) + index);
 }
 
-/// `front` (a JPEG), a gap, and `second`, which the MPF index points at; `segments` come first.
+/// `front` (a JPEG), a gap, and `second`, which the MPF index points to; `segments` come first.
 inline std::string mpfFile(const std::string& front, const std::string& segments, const std::string& second) {
     const std::size_t gap = 50;
     const std::size_t index = 2 + segments.size() + 4 + 4;  // where the segment's TIFF structure starts
@@ -130,7 +130,7 @@ inline std::string box(const std::string& type, const std::string& content) {
     return bigEndian32(static_cast<std::uint32_t>(content.size() + 8)) + type + content;
 }
 
-/// What one HEVC picture is coded as: the decoder's configuration and the data.
+/// An encoded HEVC picture: the decoder's configuration and the data.
 struct HevcPicture {
     int width = 0, height = 0;
     std::string configuration;  ///< hvcC box
@@ -186,7 +186,7 @@ inline HevcPicture encodeHevc(int width, int height, const std::vector<std::vect
 
 /// A HEIC file: `color` is the primary picture, `gain` and `depth` are auxiliary ones, in this order, and `xmp`
 /// describes the depth. `turns` counter-clockwise quarter turns are applied to all when they are shown. `primaries` and
-/// `transfer` are what an nclx box says of the colour, unspecified by default.
+/// `transfer` are the values of the nclx box, unspecified by default.
 inline std::string heicFile(const HevcPicture& color, const HevcPicture& gain, const HevcPicture& depth,
                             const std::string& xmp, int turns, std::size_t primaries = 2, std::size_t transfer = 2) {
     const std::string none(4, '\0');  // version and flags

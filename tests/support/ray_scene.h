@@ -13,7 +13,7 @@
 #include "core/analysis/analysis.h"
 #include "core/scene/scene.h"
 
-/// Scenes of exact shapes, ray traced in double: independent truth for everything the analysis estimates from a photo.
+/// Scenes of exact shapes, ray traced in double: ground truth for everything the analysis estimates from a photograph.
 namespace test {
 
 using core::Vector3f;
@@ -133,7 +133,8 @@ struct RayScene {
         return photo;
     }
 
-    /// Exact surfaces: front where the ray of the pixel first enters, back where it leaves that same object.
+    /// Exact surfaces: the front where the pixel's ray enters the first object, the back where it leaves the same
+    /// object.
     [[nodiscard]] core::Surface frontSurface() const { return surface(true); }
     [[nodiscard]] core::Surface backSurface() const { return surface(false); }
 

@@ -34,8 +34,8 @@ inline double gammaQ(double a, double x) {
     return front * h;
 }
 
-/// p-value of Pearson's chi² test of counts against expected counts; bins expecting fewer than 5 are pooled. Counts in
-/// bins that expect (numerically) nothing at all give 0.
+/// p-value of Pearson's chi² test of counts against expected counts; bins expecting fewer than 5 are pooled. Returns 0
+/// for counts in bins that expect (numerically) nothing.
 inline double chiSquareP(std::vector<double> observed, const std::vector<double>& expected) {
     double pooledObserved = 0;
     double pooledExpected = 0;
@@ -61,7 +61,7 @@ inline double chiSquareP(std::vector<double> observed, const std::vector<double>
     return bins < 2 ? 1 : gammaQ(0.5 * (bins - 1), 0.5 * statistic);
 }
 
-/// Significance of one of `tests` tests such that all together fail by chance with probability `total` (Šidák).
+/// Significance of each of `tests` tests if one of them may fail by chance with probability `total` (Šidák).
 inline double sidak(double total, int tests) { return 1 - std::pow(1 - total, 1.0 / tests); }
 
 /// Integral of `f(u, v)` over a rectangle: 3 × 3 Gauss-Legendre, refined where a quarter disagrees with the whole.

@@ -11,7 +11,7 @@
 
 namespace test {
 
-/// A folder of its own for one test, removed with everything in it.
+/// Temporary folder of one test, removed with its contents.
 class TempFolder {
   public:
     TempFolder() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts of .brdf.glsl files, made by replacing pieces of a sound one.
+// Texts of .brdf.glsl files, made by replacing parts of a valid one.
 #pragma once
 
 #include <stdexcept>

@@ -4,12 +4,12 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QScreen>
 #include <QSlider>
-#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QThread>
 #include <QToolButton>
@@ -52,7 +52,7 @@ class CanvasWindowTest : public testing::Test {
     void settle() {
         ASSERT_TRUE(test::waitUntil([&] { return window_.settled(); }, 100000));
     }
-    void setSamples(int count) { test::child<QSpinBox>(window_, "renderSamples")->setValue(count); }
+    void setSamples(int count) { test::child<QDoubleSpinBox>(window_, "renderSamples")->setValue(count); }
     void chooseBrdf(const char* key) {
         auto* box = test::child<QComboBox>(window_, "materialBrdf");
         box->setCurrentIndex(box->findData(QString::fromUtf8(key)));

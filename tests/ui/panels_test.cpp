@@ -10,9 +10,10 @@
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QSlider>
-#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTreeWidget>
+#include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "core/io/image_io.h"
@@ -20,6 +21,7 @@
 #include "core/material/metals.h"
 #include "core/material/translucency.h"
 #include "tests/support/merl_file.h"
+#include "tests/support/other_value.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/user_brdf_text.h"
 #include "tests/ui/support.h"
@@ -31,6 +33,7 @@
 #include "ui/panels/segments_panel.h"
 #include "ui/widgets/color_button.h"
 #include "ui/widgets/map_view.h"
+#include "ui/widgets/param_control.h"
 #include "ui/widgets/param_slider.h"
 #include "ui/widgets/profile_view.h"
 #include "ui/workspace.h"
@@ -324,7 +327,7 @@ TEST_F(Panels, BackSideIsInMillimetresAndPreviewed) {
 TEST_F(Panels, SmoothingFollowsTheNoiseOrTheUser) {
     ui::BackSidePanel panel(workspace_);
     open();
-    auto* automatic = test::child<QCheckBox>(panel, "smoothAutomatically");
+    auto* automatic = test::child<QCheckBox>(panel, "smoothingAutomatic");
     auto* slider = test::child<ui::ParamSlider>(panel, "smoothing");
     EXPECT_FALSE(automatic->isEnabled()) << "nothing is selected";
     workspace_.select(2);
@@ -371,7 +374,7 @@ TEST_F(Panels, EnvironmentShowsMapsAndReflectance) {
     workspace_.select(2);
     EXPECT_FALSE(map->image().isNull());
     EXPECT_TRUE(test::child<QLabel>(panel, "reflectanceValue")->text().contains("0.250, 0.500, 0.750"));
-    test::child<QCheckBox>(panel, "reflectanceByHand")->click();
+    test::child<QCheckBox>(panel, "reflectanceAutomatic")->click();
     ASSERT_TRUE(segment(2).reflectance.has_value());
     EXPECT_EQ(*segment(2).reflectance, core::Vector3f(0.25f, 0.5f, 0.75f));
     test::child<QDoubleSpinBox>(panel, "environmentRotationSpin")->setValue(90);
@@ -406,19 +409,71 @@ TEST_F(Panels, RenderingNumbersReachTheScene) {
     EXPECT_FALSE(panel.isEnabled());
     open();
     EXPECT_TRUE(panel.isEnabled());
-    test::child<QSpinBox>(panel, "renderSamples")->setValue(7);
-    test::child<QSpinBox>(panel, "renderBounces")->setValue(2);
+    test::child<QDoubleSpinBox>(panel, "renderSamples")->setValue(7);
+    test::child<QDoubleSpinBox>(panel, "renderBounces")->setValue(2);
     test::child<QCheckBox>(panel, "renderFilter")->click();
-    EXPECT_FALSE(test::child<ui::ParamSlider>(panel, "depthSpatialSigma")->isEnabled()) << "automatic at first";
-    test::child<QCheckBox>(panel, "depthAutomatic")->click();
+    EXPECT_FALSE(test::child<ui::ParamSlider>(panel, "depthFilterSpatialSigma")->isEnabled()) << "automatic at first";
+    test::child<QCheckBox>(panel, "depthFilterAutomatic")->click();
     EXPECT_FALSE(workspace_.scene().depthFilter.automatic);
-    EXPECT_TRUE(test::child<ui::ParamSlider>(panel, "depthSpatialSigma")->isEnabled());
-    test::child<QCheckBox>(panel, "depthFilter")->click();
+    EXPECT_TRUE(test::child<ui::ParamSlider>(panel, "depthFilterSpatialSigma")->isEnabled());
+    test::child<QCheckBox>(panel, "depthFilterEnabled")->click();
     EXPECT_EQ(workspace_.scene().render.samples, 7);
     EXPECT_EQ(workspace_.scene().render.bounces, 2);
     EXPECT_FALSE(workspace_.scene().render.filter);
     EXPECT_FALSE(workspace_.scene().depthFilter.enabled);
-    EXPECT_FALSE(test::child<ui::ParamSlider>(panel, "depthSpatialSigma")->isEnabled());
+    EXPECT_FALSE(test::child<ui::ParamSlider>(panel, "depthFilterSpatialSigma")->isEnabled());
+}
+
+/// Sets the control of a parameter to `value` as a user would.
+void setControl(QWidget& panel, const core::ParamRow& row, const QString& name, const core::ParamValue& value) {
+    const auto child = [&]<class T>(const QString& suffix = {}) {
+        return test::child<T>(panel, (name + suffix).toUtf8().constData());
+    };
+    if (row.automatic) child.operator()<QCheckBox>(QStringLiteral("Automatic"))->click();
+    if (std::holds_alternative<bool>(row.initial)) {
+        child.operator()<QCheckBox>()->click();
+    } else if (!row.words.empty()) {
+        auto* box = child.operator()<QComboBox>();
+        emit box->activated(box->findData(QVariant::fromValue<qlonglong>(std::get<std::int64_t>(value))));
+    } else if (const auto* color = std::get_if<core::Vector3f>(&value)) {
+        auto* button = child.operator()<ui::ColorButton>();
+        emit button->colorChanged(*color);
+    } else {
+        const bool slider = row.slider.min < row.slider.max;
+        child.operator()<QDoubleSpinBox>(slider ? QStringLiteral("Spin") : QString())
+            ->setValue(core::toNumber(value) * row.unit.factor);
+    }
+}
+
+TEST_F(Panels, EveryParameterHasItsControl) {
+    open();
+    workspace_.select(2);
+    workspace_.editScene("prepare", [](core::Scene& scene) {
+        scene.segments[1].glossy = true;
+        scene.depthFilter.automatic = false;
+        scene.environment.image = std::make_shared<core::ImageRgb>(4, 2);
+    });
+    std::vector<std::unique_ptr<QWidget>> panels;
+    for (const ui::PanelEntry& entry : ui::panelRegistry()) panels.emplace_back(entry.make(workspace_, nullptr));
+    const auto check = [&](const core::ParamRow& row, const auto& current) {
+        if (row.group == core::ParamGroup::None) return;
+        SCOPED_TRACE(row.key);
+        const QString name = ui::ParamControl(row).name();
+        QWidget* owner = nullptr;
+        for (const auto& panel : panels)
+            if (panel->findChild<QWidget*>(name) != nullptr) owner = panel.get();
+        ASSERT_NE(owner, nullptr);
+        const core::ParamValue wanted = test::otherValue(row, current());
+        setControl(*owner, row, name, wanted);
+        if (std::holds_alternative<core::Vector3f>(wanted)) {
+            EXPECT_EQ(current(), wanted);
+        } else {
+            EXPECT_NEAR(core::toNumber(current()), core::toNumber(wanted), 2e-3 * std::abs(core::toNumber(wanted)));
+        }
+    };
+    for (const core::SegmentParam& param : core::segmentParams()) check(param, [&] { return param.get(segment(2)); });
+    for (const core::SceneParam& param : core::sceneParams())
+        check(param, [&] { return param.get(workspace_.scene()); });
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "core/io/material_json.h"
 #include "core/io/project.h"
 #include "core/shading/segment_shading.h"
 #include "tests/support/expect_error.h"
@@ -41,7 +42,7 @@ TEST_F(MerlFile, OfAnotherSizeIsRefused) {
         std::filesystem::resize_file(path_, size);
         refuse({"a.binary", std::to_string(size) + " bytes", "MERL", std::to_string(kBytes)});
     }
-    // Sparse: nothing of it may be read.
+    // Sparse, because it must not be read.
     std::filesystem::resize_file(path_, std::uintmax_t{1} << 40U);
     refuse({"a.binary", "MERL"});
     std::filesystem::resize_file(path_, 0);

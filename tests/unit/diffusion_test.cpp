@@ -36,7 +36,7 @@ struct Body {
             }
     }
     [[nodiscard]] double spacing() const {
-        return std::sqrt(4 * M_PI * 0.01 / static_cast<double>(std::max<std::size_t>(points.size(), 1)));
+        return std::sqrt(4 * std::numbers::pi * 0.01 / static_cast<double>(std::max<std::size_t>(points.size(), 1)));
     }
     [[nodiscard]] DiffusionGrid grid(DiffusionQuality quality = DiffusionQuality::Standard) const {
         return buildDiffusionGrid(points, spacing(), labels, depth, position, 3, quality);

@@ -11,6 +11,7 @@
 #include "core/analysis/step.h"
 #include "core/base/color.h"
 #include "core/io/mask_io.h"
+#include "core/io/material_json.h"
 #include "core/io/project.h"
 #include "core/scene/changes.h"
 #include "core/scene/masks.h"
@@ -18,7 +19,7 @@
 #include "core/shading/reference_renderer.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/image_files.h"
-#include "tests/support/shading_scene.h"
+#include "tests/support/analytic_scene.h"
 
 using core::Drive;
 using core::DriveEnd;

@@ -6,7 +6,7 @@
 
 #include "core/shading/image_filter.h"
 #include "shaders/shared/rng.h"
-#include "tests/support/shading_scene.h"
+#include "tests/support/analytic_scene.h"
 
 namespace core {
 namespace {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/import/import_format.h"
-#include "core/io/project.h"
+#include "core/io/photo_loader.h"
 #include "tests/support/temp_folder.h"
 
 namespace {

@@ -332,7 +332,7 @@ TEST(MarchPyramid, HitsWhatTheMarchThroughEveryPixelHits) {
     const DepthLayers layers = layersOf(scene);
     const core::MarchPyramid pyramid(layers);
     std::vector<Ray> rays = surfaceRays(scene, 20000, 11);
-    // From anywhere in and beside the picture, into all directions.
+    // Rays from anywhere in and around the picture, in all directions.
     std::mt19937 random(12);
     std::uniform_real_distribution<float> side(-0.6f, 0.6f);
     std::uniform_real_distribution<float> away(0.1f, 3.0f);

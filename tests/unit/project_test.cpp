@@ -3,15 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "core/io/material_json.h"
+#include "core/io/photo_loader.h"
 #include "core/material/brdf.h"
 #include "core/material/translucency.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/image_files.h"
+#include "tests/support/other_value.h"
 
 using core::DepthKind;
 using core::ErrorKind;
@@ -121,6 +125,92 @@ TEST_F(ProjectTest, SavedProjectLoadsAsTheSameScene) {
     core::saveProject(loaded, folder / "again.patina");
     core::saveProject(core::loadProject(folder / "again.patina"), folder / "third.patina");
     EXPECT_EQ(test::readBytes(folder / "again.patina"), test::readBytes(folder / "third.patina"));
+}
+
+TEST_F(ProjectTest, EveryParameterSurvivesAFile) {
+    const core::Scene plain = core::createScene(options());
+    const auto reloaded = [&](const core::Scene& scene) {
+        core::saveProject(scene, folder / "param.patina");
+        return core::loadProject(folder / "param.patina");
+    };
+    for (const core::SegmentParam& param : core::segmentParams()) {
+        core::Scene scene = plain;
+        const core::ParamValue value = test::otherValue(param, param.get(scene.segments[1]));
+        param.set(scene.segments[1], value);
+        const core::Scene loaded = reloaded(scene);
+        EXPECT_EQ(param.get(loaded.segments[1]), value) << param.key;
+        EXPECT_EQ(loaded.segments, scene.segments) << param.key;
+    }
+    for (const core::SceneParam& param : core::sceneParams()) {
+        core::Scene scene = plain;
+        const core::ParamValue value = test::otherValue(param, param.get(scene));
+        param.set(scene, value);
+        EXPECT_EQ(param.get(reloaded(scene)), value) << param.key;
+    }
+}
+
+TEST_F(ProjectTest, EveryParameterIsRefusedOutsideItsRange) {
+    const json base = document();
+    const auto refuse = [&](const std::string& place, const core::ParamRow& row, const std::string& pointer) {
+        SCOPED_TRACE(place);
+        const bool isSwitch = std::holds_alternative<bool>(row.initial);
+        const bool isWhole = std::holds_alternative<std::int64_t>(row.initial);
+        const bool isColor = std::holds_alternative<Vector3f>(row.initial);
+        const auto refused = [&](const json& value, std::vector<std::string> parts) {
+            json bad = base;
+            bad[json::json_pointer(pointer)] = value;
+            parts.push_back("\"" + place);
+            expectRefused(bad, parts);
+        };
+        refused({{"a", 1}}, {"expected"});
+        if (isSwitch) return refused(1, {"is 1", "true or false"});
+        if (!row.words.empty()) return refused("magic", {"magic", row.words.front().key, row.words.back().key});
+        for (const double bad : {row.legal.min - 1, 2 * row.legal.max + 1}) {
+            if (isColor)
+                refused({1, bad, 1}, {"[1]\" is", "expected"});
+            else if (isWhole)
+                refused(static_cast<std::int64_t>(bad), {"from " + std::to_string(std::llround(row.legal.min)),
+                                                         "to " + std::to_string(std::llround(row.legal.max)),
+                                                         "is " + std::to_string(std::llround(bad))});
+            else
+                refused(bad, {"a number in [", "is " + json(bad).dump()});
+        }
+    };
+    const auto pointerOf = [](std::string key) {
+        std::ranges::replace(key, '.', '/');
+        return "/" + key;
+    };
+    for (const core::SegmentParam& param : core::segmentParams())
+        refuse("segments[1]." + std::string(param.key), param, "/segments/1" + pointerOf(param.key));
+    for (const core::SceneParam& param : core::sceneParams()) refuse(param.key, param, pointerOf(param.key));
+}
+
+TEST_F(ProjectTest, TheOrderOfKeysInAFile) {
+    core::Scene scene = core::createScene(options());
+    scene.segments.resize(1);
+    scene.segments[0].reflectance = Vector3f(0.5f, 0.25f, 1);
+    scene.segments[0].lobeWidth = 0.1f;
+    scene.segments[0].smoothing = 3;
+    test::writePfm(folder / "env.pfm", 4, 2, 3, std::vector<float>(24, 1.0f));
+    scene.environment.path = folder / "env.pfm";
+    test::writePfm(folder / "back.pfm", 4, 2, 1, std::vector<float>(8, 9.0f));
+    scene.backDepthPath = folder / "back.pfm";
+    core::saveProject(scene, folder / "order.patina");
+    const auto saved = nlohmann::ordered_json::parse(test::readBytes(folder / "order.patina"));
+    EXPECT_EQ(saved["segments"].dump(),
+              R"([{"label":1,"name":"segment 1","glossy":false,"back_side":{"method":"automatic","offset":0.05,)"
+              R"("plane_shift":0.0,"thickness_scale":1.0,"min_thickness":0.002},"reflectance":[0.5,0.25,1.0],)"
+              R"("lobe_width":0.1,"smoothing":3.0}])");
+    EXPECT_EQ(saved["depth_filter"].dump(), R"({"enabled":true,"automatic":true,"spatial_sigma":2.0,"color_sigma":0.1,)"
+                                            R"("depth_sigma":0.01,"hole_radius":3})");
+    EXPECT_EQ(saved["environment"].dump(), R"({"path":"env.pfm","rotation":0.0,"scale":1.0,"height":128,)"
+                                           R"("use":"replace","fill":"membrane"})");
+    EXPECT_EQ(saved["render"].dump(), R"({"samples":64,"time_limit":0.0,"seed":1,"bounces":4,"filter":true,)"
+                                      R"("surface_samples":100000,"irradiance_samples":8,)"
+                                      R"("translucency_quality":"standard"})");
+    std::string keys;
+    for (const auto& [key, value] : saved.items()) keys += key + ' ';
+    EXPECT_EQ(keys, "format version photo segments depth_filter environment back_depth render ");
 }
 
 TEST_F(ProjectTest, SmoothingIsANumberOrAutomatic) {
@@ -317,7 +407,8 @@ TEST_F(ProjectTest, IntegerUnits) {
     EXPECT_FLOAT_EQ(core::createScene(create).photo->depth(0, 1), 0.4f);
     create.depthUnit = std::nullopt;
     create.depthKind = DepthKind::Disparity;
-    test::expectError(ErrorKind::Usage, {"d16.png", "metres per stored unit"}, [&] { (void)core::createScene(create); });
+    test::expectError(ErrorKind::Usage, {"d16.png", "16-bit", "metres per stored unit"},
+                      [&] { (void)core::createScene(create); });
     test::writePnm8(folder / "d8.pgm", 4, 2, 1, std::vector<std::uint8_t>(8, 100));
     create.depth = folder / "d8.pgm";
     create.depthKind = DepthKind::Z;

@@ -9,7 +9,7 @@
 #include <atomic>
 #include <memory>
 
-#include "tests/support/shading_scene.h"
+#include "tests/support/analytic_scene.h"
 
 namespace core {
 namespace {

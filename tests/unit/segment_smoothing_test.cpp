@@ -13,7 +13,7 @@
 #include "core/analysis/pipeline.h"
 #include "core/analysis/step.h"
 #include "core/io/project.h"
-#include "tests/support/shading_scene.h"
+#include "tests/support/analytic_scene.h"
 
 namespace {
 

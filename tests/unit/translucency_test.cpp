@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ double integrateProfile(const DiffusionProfile& profile, int channel) {
     constexpr int kSteps = 40000;
     for (int i = 0; i < kSteps; ++i) {
         const double r = std::exp(low + (high - low) * (i + 0.5) / kSteps);
-        sum += profile.evaluate(channel, r * r) * (2 * M_PI * r * r);
+        sum += profile.evaluate(channel, r * r) * (2 * std::numbers::pi * r * r);
     }
     return sum * ((high - low) / kSteps);
 }
@@ -61,7 +62,7 @@ TEST(Dipole, BlurKeepsTheReflectanceAndHidesTheSamples) {
             for (int c = 0; c < 3; ++c) {
                 const auto total = static_cast<double>(diffuseReflectance(t)[c]);
                 EXPECT_NEAR(integrateProfile(profile, c), total, 1e-3 * total) << key << " " << spacing;
-                EXPECT_LE(profile.evaluate(c, 0) * spacing * spacing, 1.001 / (2 * M_PI) * total)
+                EXPECT_LE(profile.evaluate(c, 0) * spacing * spacing, 1.001 / (2 * std::numbers::pi) * total)
                     << "one sample with the light of its patch outshines the sum of all: " << key << " " << spacing;
             }
         }
@@ -77,7 +78,8 @@ TEST(Dipole, BlurIsAConvolution) {
     source.terms[0] = {{.z = z, .sigma = sigma, .flux = 1}};
     const DiffusionProfile moved = blurred(source, area);
     const double delta = moved.terms[0][0].shift;
-    EXPECT_NEAR((1 + sigma * delta) / (2 * M_PI * delta * delta), 1 / (2 * M_PI * area), 1e-6 / area);
+    EXPECT_NEAR((1 + sigma * delta) / (2 * std::numbers::pi * delta * delta), 1 / (2 * std::numbers::pi * area),
+                1e-6 / area);
     const auto profile = [&](double depth, double r2) {
         const double d = std::sqrt(r2 + depth * depth);
         return depth * (1 + sigma * d) * std::exp(-sigma * d) / (d * d * d);
@@ -92,7 +94,7 @@ TEST(Dipole, BlurIsAConvolution) {
                 const double v = side * ((j + 0.5) / kGrid - 0.5);
                 sum += profile(z, u * u + v * v) * profile(delta, (x - u) * (x - u) + v * v);
             }
-        sum *= side * side / kGrid / kGrid * std::exp(sigma * delta) / (2 * M_PI);
+        sum *= side * side / kGrid / kGrid * std::exp(sigma * delta) / (2 * std::numbers::pi);
         EXPECT_NEAR(moved.evaluate(0, x * x), sum, 5e-3 * sum) << x;
     }
 }
@@ -110,10 +112,10 @@ TEST(Dipole, HandComputedNumbers) {
     t.eta = 1;
     const std::vector<DiffusionProfile::Term> d = profileFromTranslucency(t).terms[0];
     ASSERT_EQ(d.size(), 2u);
-    EXPECT_NEAR(d[0].z, 1e-3, 1e-9);                       // 1/σt' = 1 mm
-    EXPECT_NEAR(d[1].z, 7.0 / 3.0 * 1e-3, 1e-8);           // A = 1: z_r (1 + 4/3)
-    EXPECT_NEAR(d[1].sigma, std::sqrt(0.3) * 1000, 1e-2);  // sqrt(3 σa σt')
-    EXPECT_NEAR(d[1].flux * 4 * M_PI, 0.9, 1e-6);          // α'
+    EXPECT_NEAR(d[0].z, 1e-3, 1e-9);                           // 1/σt' = 1 mm
+    EXPECT_NEAR(d[1].z, 7.0 / 3.0 * 1e-3, 1e-8);               // A = 1: z_r (1 + 4/3)
+    EXPECT_NEAR(d[1].sigma, std::sqrt(0.3) * 1000, 1e-2);      // sqrt(3 σa σt')
+    EXPECT_NEAR(d[1].flux * 4 * std::numbers::pi, 0.9, 1e-6);  // α'
     EXPECT_EQ(profileFromTranslucency(t).eta, 1);
     t.scale = 2;
     EXPECT_NEAR(profileFromTranslucency(t).terms[0][0].z, 0.5e-3, 1e-9)
@@ -204,7 +206,7 @@ TEST(BetterDipole, IsNearerToRandomWalksThanTheDipole) {
             for (int event = 1; weight > 1e-4; ++event) {
                 weight *= alpha;
                 const double mu = 2 * uniform(random) - 1;
-                const double phi = 2 * M_PI * uniform(random);
+                const double phi = 2 * std::numbers::pi * uniform(random);
                 const Eigen::Vector3d d(std::sqrt(1 - mu * mu) * std::cos(phi), std::sqrt(1 - mu * mu) * std::sin(phi),
                                         mu);
                 if (mu < 0) {  // what reaches the surface from here leaves
@@ -230,7 +232,7 @@ TEST(BetterDipole, IsNearerToRandomWalksThanTheDipole) {
                 double expected = 0;
                 for (int i = 0; i < 20; ++i) {
                     const double r = kWidth * (static_cast<double>(ring) + (i + 0.5) / 20);
-                    expected += profile.evaluate(0, r * r) * 2 * M_PI * r * kWidth / 20;
+                    expected += profile.evaluate(0, r * r) * 2 * std::numbers::pi * r * kWidth / 20;
                 }
                 sum += std::abs(expected - light[ring] / kWalks);
             }

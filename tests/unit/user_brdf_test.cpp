@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/io/material_json.h"
 #include "core/io/project.h"
 #include "core/material/brdf_file.h"
 #include "core/shading/reference_renderer.h"

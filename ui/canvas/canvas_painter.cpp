@@ -48,10 +48,8 @@ CanvasPainter::CanvasPainter(gpu::Device device) : device_(std::move(device)) {
                                                               {.binding = CANVAS_RULER_IMAGE,
                                                                .visibility = gpu::ShaderStage::Fragment,
                                                                .type = gpu::BindingType::SampledTexture}}});
-    layout_ = device_.createPipelineLayout({.label = "canvas",
-                                            .bindGroupLayouts = {groupLayout_},
-                                            .pushConstantSize = sizeof(kernel::CanvasBlock),
-                                            .pushConstantStages = gpu::ShaderStage::Fragment});
+    layout_ = device_.createPipelineLayout(
+        {.label = "canvas", .bindGroupLayouts = {groupLayout_}, .immediateSize = sizeof(kernel::CanvasBlock)});
     black_ = device_.createTexture({.label = "canvas black",
                                     .size = {1, 1, 1},
                                     .format = gpu::TextureFormat::RGBA16Float,
@@ -252,7 +250,7 @@ void CanvasPainter::drawPart(const gpu::RenderPassEncoder& pass, const CanvasSta
     values.ruler = kernel::vec2(static_cast<float>(ruler.x()), static_cast<float>(ruler.y()));
     pass.setPipeline(pipelineFor(filter, flags));
     pass.setBindGroup(0, bindGroup_);
-    pass.setPushConstants(values);
+    pass.setImmediates(0, values);
     pass.setScissorRect(static_cast<std::uint32_t>(visible.x()), static_cast<std::uint32_t>(visible.y()),
                         static_cast<std::uint32_t>(visible.width()), static_cast<std::uint32_t>(visible.height()));
     pass.draw(3);

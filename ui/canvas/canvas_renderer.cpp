@@ -156,11 +156,11 @@ void CanvasRenderer::submitStep() {
         progress_ = renderer_->progress();
     }
     const bool resultShown = hasResult_ && state_.layer == ViewLayer::Result && !state_.comparing;
-    const render::PixelBounds changed = hasResult_ ? renderer_->changed() : render::PixelBounds();
+    const core::PixelBox changed = hasResult_ ? renderer_->changed() : core::PixelBox();
     painted_ = paintWanted_ || (resultShown && !changed.empty());
     if (painted_) {
         std::optional<QRect> part;
-        if (!paintWanted_) part = QRect(QPoint(changed.x0, changed.y0), QPoint(changed.x1 - 1, changed.y1 - 1));
+        if (!paintWanted_) part = QRect(QPoint(changed.x0, changed.y0), QPoint(changed.x1, changed.y1));
         painter_->record(encoder, state_, window_.swapChainImageSize(), window_.devicePixelRatio(),
                          hasResult_ ? renderer_->result() : gpu::Texture(), part);
         if (hasResult_ && !progress_.waiting) paintedScene_ = renderedScene_;

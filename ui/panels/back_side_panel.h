@@ -3,14 +3,11 @@
 
 #include "ui/panels/panel.h"
 
-class QCheckBox;
-class QComboBox;
 class QLabel;
 class QPushButton;
 
 namespace ui {
 
-class ParamSlider;
 class ProfileView;
 
 /// The shape of the selected segment: how smooth its front is and how its unseen back is invented, with a cut through
@@ -21,24 +18,18 @@ class BackSidePanel : public Panel {
     explicit BackSidePanel(Workspace& workspace, QWidget* parent = nullptr);
 
   private:
-    /// Translated name of a method.
-    [[nodiscard]] static QString methodName(core::BackSideMethod method);
-    /// What the analysis took for the selected segment, and why.
+    [[nodiscard]] QWidget* makeFileGroup();
+    /// How the analysis made the selected segment's back side; nullptr before it did.
+    [[nodiscard]] const core::BackSideInfo* outcome() const;
+    /// The method that was used for the selected segment, and why.
     [[nodiscard]] QString outcomeText() const;
     void refresh();
-    void refreshSmoothing();
+    void enableControls();
     void refreshPreview();
     void chooseBackDepth();
 
     QLabel* title_ = nullptr;
-    QCheckBox* smoothAutomatically_ = nullptr;
-    ParamSlider* smoothing_ = nullptr;
-    QComboBox* method_ = nullptr;
     QLabel* outcome_ = nullptr;
-    ParamSlider* offset_ = nullptr;
-    ParamSlider* planeShift_ = nullptr;
-    ParamSlider* scale_ = nullptr;
-    ParamSlider* thickness_ = nullptr;
     ProfileView* profile_ = nullptr;
     QLabel* backDepth_ = nullptr;
     QPushButton* loadBackDepth_ = nullptr;

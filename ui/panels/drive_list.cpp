@@ -31,14 +31,15 @@ const QString kImage = QStringLiteral("image");
 const QString kTexture = QStringLiteral("texture");
 const QString kSharedPrefix = QStringLiteral("same:");
 
-constexpr double kLargestWeight = 2;  // what the sliders of weights reach
+/// Maximum of the sliders of weights.
+constexpr double kMaxWeightShown = 2;
 
 QString labelOf(const core::DriveParameter& parameter) {
     const char* context = parameter.slot < kernel::kDriveAlbedo ? "params" : "drives";
     return QCoreApplication::translate(context, parameter.label.c_str());
 }
 
-// Known to the translators; core/shading/drives.cpp has the texts.
+// For lupdate; the texts are in core/material/drive_parameters.cpp.
 [[maybe_unused]] constexpr const char* kLabels[] = {QT_TRANSLATE_NOOP("drives", "Diffuse colour"),
                                                     QT_TRANSLATE_NOOP("drives", "Specular colour"),
                                                     QT_TRANSLATE_NOOP("drives", "Index n"),
@@ -56,9 +57,10 @@ core::Vector3f valueOf(const std::optional<core::DriveEnd>& end, const core::Vec
 
 }  // namespace
 
-DriveList::DriveList(Workspace& workspace, QWidget* parent) : QGroupBox(tr("Varies"), parent), workspace_(workspace) {
+DriveList::DriveList(Workspace& workspace, QWidget* parent)
+    : QGroupBox(tr("Variation"), parent), workspace_(workspace) {
     setObjectName(QStringLiteral("drives"));
-    setAccessibleName(tr("Varies"));
+    setAccessibleName(tr("Variation"));
     add_ = new QComboBox(this);
     add_->setObjectName(QStringLiteral("driveAdd"));
     add_->setAccessibleName(tr("Vary a parameter"));
@@ -97,7 +99,7 @@ void DriveList::makeBrush(QVBoxLayout* layout) {
     };
     radius_ = slider({.key = "brushRadius",
                       .label = tr("Brush size"),
-                      .unit = tr(" px"),
+                      .unit = tr("px"),
                       .toolTip = tr("Radius in pixels of the photograph"),
                       .minimum = 1,
                       .maximum = 500,
@@ -108,7 +110,7 @@ void DriveList::makeBrush(QVBoxLayout* layout) {
     hardness_ = slider({.key = "brushHardness",
                         .label = tr("Hardness"),
                         .unit = {},
-                        .toolTip = tr("Share of the radius inside which the brush is full"),
+                        .toolTip = tr("Fraction of the radius at full strength"),
                         .minimum = 0,
                         .maximum = 1,
                         .initial = 0.5,
@@ -117,7 +119,7 @@ void DriveList::makeBrush(QVBoxLayout* layout) {
     strength_ = slider({.key = "brushStrength",
                         .label = tr("Strength"),
                         .unit = {},
-                        .toolTip = tr("How far one stroke goes"),
+                        .toolTip = tr("Opacity of one stroke"),
                         .minimum = 0,
                         .maximum = 1,
                         .initial = 1,
@@ -125,7 +127,7 @@ void DriveList::makeBrush(QVBoxLayout* layout) {
                        &core::Brush::strength);
     erase_ = new QCheckBox(tr("Erase"), brush_);
     erase_->setObjectName(QStringLiteral("brushErase"));
-    erase_->setToolTip(tr("Paint back to the start value; Shift does it for one stroke"));
+    erase_->setToolTip(tr("Paint the start value; hold Shift to do so for one stroke"));
     column->addWidget(erase_);
     connect(erase_, &QCheckBox::clicked, this, [this](bool on) {
         core::Brush brush = workspace_.brush();
@@ -171,7 +173,7 @@ void DriveList::follow(core::Drive& drive, std::shared_ptr<const core::Mask> mas
         drive.to = core::DriveEnd{.value = core::Vector3f::Constant(0.25f), .factor = true};
         return;
     }
-    // What is painted shall show: the other end of the range.
+    // The other end of the range, so that paint is visible.
     const core::Vector3f own = core::ownValue(current, *info, core::Vector3f::Ones());
     const float most = info->slot >= kernel::kDriveBlendNew ? 1.0f : info->max;
     drive.from = absolute(own);
@@ -288,7 +290,7 @@ void DriveList::makeEnds(Row& row, QVBoxLayout* layout) {
                              .unit = own ? QString::fromUtf8(brdf->params[row.info.slot].unit) : QString(),
                              .toolTip = start ? tr("Where the mask is black") : tr("Where the mask is white"),
                              .minimum = static_cast<double>(row.info.min),
-                             .maximum = weight ? kLargestWeight : static_cast<double>(row.info.max),
+                             .maximum = weight ? kMaxWeightShown : static_cast<double>(row.info.max),
                              .initial = weight ? 1.0 : static_cast<double>(start ? row.info.min : row.info.max),
                              .logarithmic = own && brdf->params[row.info.slot].logScale,
                              .decimals = row.info.max >= 100 && !weight ? 1 : 3},
@@ -314,11 +316,11 @@ DriveList::Row DriveList::makeRow(const core::DriveParameter& parameter) {
     remove->setObjectName(key + QStringLiteral("_remove"));
     remove->setText(QStringLiteral("×"));
     remove->setAccessibleName(tr("Remove %1").arg(title));
-    remove->setToolTip(tr("The parameter is the same everywhere again"));
+    remove->setToolTip(tr("Use one value for the whole segment"));
     row.source = new QComboBox(frame);
     row.source->setObjectName(key + QStringLiteral("_source"));
     row.source->setAccessibleName(tr("Source of %1").arg(title));
-    row.source->setToolTip(tr("What the parameter follows"));
+    row.source->setToolTip(tr("Choose what the parameter follows"));
     row.source->setMinimumContentsLength(8);
     row.source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     row.paint = new QToolButton(frame);

@@ -20,14 +20,14 @@ class BackgroundTask;
 class ColorButton;
 class ParamSlider;
 
-/// The parameters of the selected segment's edit that vary over it: a row for each, and the brush.
+/// The parameters that vary over the selected segment, a row for each, and the brush.
 class DriveList : public QGroupBox {
     Q_OBJECT
   public:
     explicit DriveList(Workspace& workspace, QWidget* parent = nullptr);
     ~DriveList() override;
 
-    /// Gives the drive of `parameter` this picture as its mask, in the background.
+    /// Loads a picture in the background as the mask of the drive of `parameter`.
     void loadMask(const QString& parameter, const QString& path);
 
   signals:
@@ -61,7 +61,7 @@ class DriveList : public QGroupBox {
     void edit(const QString& label, const std::string& parameter, const std::function<void(core::Drive&)>& change,
               const QString& mergeKey = {});
     [[nodiscard]] std::shared_ptr<const core::Mask> emptyMask() const;
-    /// Makes the drive follow a mask; ends that show when it had none.
+    /// Makes the drive follow a mask; a drive without ends gets ends that are visible.
     void follow(core::Drive& drive, std::shared_ptr<const core::Mask> mask) const;
     void setPainting(const std::string& parameter);
     [[nodiscard]] const core::Material* material() const;
@@ -74,7 +74,7 @@ class DriveList : public QGroupBox {
     ParamSlider* hardness_ = nullptr;
     ParamSlider* strength_ = nullptr;
     QCheckBox* erase_ = nullptr;
-    std::string rowsOf_;  ///< what the rows were made for
+    std::string rowsOf_;  ///< BRDF and drives that the rows were made for
     std::vector<Row> rows_;
     std::unique_ptr<BackgroundTask> loading_;
 };

@@ -13,12 +13,11 @@ class QPushButton;
 namespace ui {
 
 class BackgroundTask;
-class ColorButton;
 class MapView;
 class ParamSlider;
 
-/// The light: the scene's environment and, for the selected glossy segment, L_S, L_G, the reflectance ρ and the
-/// lobe width; a map from a file in place of the recovered one, or to complete it.
+/// The light: the scene's environment, recovered or from a file, and for the selected glossy segment L_S, L_G, the
+/// reflectance ρ and the lobe width.
 class EnvironmentPanel : public Panel {
     Q_OBJECT
   public:
@@ -26,13 +25,19 @@ class EnvironmentPanel : public Panel {
     ~EnvironmentPanel() override;
 
   public slots:
-    /// Loads a latitude-longitude map in the background and edits the scene when it is there.
+    /// Loads a latitude-longitude map in the background, then edits the scene.
     void loadEnvironment(const QString& path);
 
   private:
+    [[nodiscard]] QWidget* makeView();
+    [[nodiscard]] QWidget* makeSourceGroup();
+    [[nodiscard]] QWidget* makeReflectanceGroup();
+    void chooseEnvironment();
     void refresh();
     void refreshMap();
     void refreshReflectance();
+    /// The estimate of the selected glossy segment in words.
+    [[nodiscard]] static QString estimateText(const core::Segment& segment, const core::Reflectance& found);
 
     QComboBox* which_ = nullptr;
     MapView* map_ = nullptr;
@@ -42,15 +47,7 @@ class EnvironmentPanel : public Panel {
     QLabel* source_ = nullptr;
     QPushButton* load_ = nullptr;
     QPushButton* recover_ = nullptr;
-    ParamSlider* rotation_ = nullptr;
-    ParamSlider* scale_ = nullptr;
-    QComboBox* use_ = nullptr;
-    QComboBox* fill_ = nullptr;
     QLabel* rho_ = nullptr;
-    QCheckBox* rhoByHand_ = nullptr;
-    ColorButton* rhoColor_ = nullptr;
-    QCheckBox* lobeByHand_ = nullptr;
-    ParamSlider* lobe_ = nullptr;
     std::unique_ptr<BackgroundTask> loading_;
 };
 

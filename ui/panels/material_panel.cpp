@@ -15,15 +15,19 @@
 #include <QSignalBlocker>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "core/material/brdf_file.h"
 #include "core/material/drive_parameters.h"
+#include "core/material/material_ranges.h"
 #include "core/material/metals.h"
 #include "core/material/translucency.h"
+#include "core/material/user_brdf.h"
 #include "ui/background_task.h"
 #include "ui/panels/drive_list.h"
 #include "ui/widgets/color_button.h"
+#include "ui/widgets/param_control.h"
 #include "ui/widgets/param_slider.h"
 #include "ui/widgets/vector_edit.h"
 #include "ui/words.h"
@@ -32,7 +36,7 @@ namespace ui {
 
 namespace {
 
-/// Editors write a file in several steps.
+/// Delay before a changed file is read again, because editors write a file in several steps.
 constexpr int kReloadDelayMs = 150;
 
 QWidget* makeRow(const QString& label, const std::vector<QWidget*>& widgets, QWidget* parent) {
@@ -47,20 +51,31 @@ QWidget* makeRow(const QString& label, const std::vector<QWidget*>& widgets, QWi
     return row;
 }
 
+/// Fills in the coefficients of a measured substance; "" only forgets the name.
+void choosePreset(core::Translucency& t, const std::string& key) {
+    const core::TranslucencyPreset* preset = core::findTranslucencyPreset(key);
+    t.preset = key;
+    if (preset == nullptr) return;
+    const core::Translucency values = core::toTranslucency(*preset);
+    t.preset = values.preset;
+    t.sigmaA = values.sigmaA;
+    t.sigmaSPrime = values.sigmaSPrime;
+    t.eta = values.eta;
+}
+
+/// Coefficients for the colour of a thick piece and a mean free path [mm].
+void setLook(core::Translucency& t, const core::Vector3f& color, const core::Vector3f& freePath) {
+    const core::Translucency wanted = core::translucencyFromDiffuse(color, freePath, t.eta, t.model);
+    t.sigmaA = wanted.sigmaA;
+    t.sigmaSPrime = wanted.sigmaSPrime;
+    t.preset.clear();
+}
+
 }  // namespace
 
 MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : Panel(workspace, parent) {
     title_ = new QLabel(this);
     title_->setObjectName(QStringLiteral("materialTitle"));
-    brdf_ = new QComboBox(this);
-    brdf_->setObjectName(QStringLiteral("materialBrdf"));
-    brdf_->setAccessibleName(tr("Material"));
-    brdf_->setToolTip(tr("How the new surface reflects light"));
-    brdf_->addItem(tr("As photographed"), QString());
-    for (const core::BrdfInfo& info : core::brdfs()) {
-        brdf_->addItem(QCoreApplication::translate("brdfs", info.label), QString::fromUtf8(info.key));
-    }
-    brdf_->addItem(tr("From a file…"), QString::fromLatin1(core::kFileBrdf));
     file_ = new QLabel(this);
     file_->setObjectName(QStringLiteral("materialFile"));
     file_->setWordWrap(true);
@@ -69,26 +84,8 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : Panel(work
     remove_ = new QPushButton(tr("Remove edit"), this);
     remove_->setObjectName(QStringLiteral("removeEdit"));
     remove_->setToolTip(tr("Show the segment as it was photographed"));
-
-    auto* inner = new QWidget(this);
-    body_ = inner;
-    auto* bodyLayout = new QVBoxLayout(inner);
-    bodyLayout->setContentsMargins(0, 0, 4, 0);
-    makeSurfaceGroup();
-    makeBlendGroup();
-    makeTranslucencyGroup();
-    auto* drives = new DriveList(workspace, inner);
-    bodyLayout->addWidget(drives);
-    connect(drives, &DriveList::message, this, &MaterialPanel::message);
-    connect(drives, &DriveList::error, this, &MaterialPanel::error);
-    bodyLayout->addStretch(1);
-
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidget(inner);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(inner->minimumSizeHint().width() + 20);
+    makeBrdfChoice();
+    QWidget* scroll = makeBody();
 
     auto* top = new QHBoxLayout;
     top->addWidget(title_, 1);
@@ -100,6 +97,30 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : Panel(work
     layout->addWidget(file_);
     layout->addWidget(scroll, 1);
 
+    connect(remove_, &QPushButton::clicked, this, [this] { chooseBrdf({}); });
+    connect(watcher_, &QFileSystemWatcher::fileChanged, this, &MaterialPanel::reloadSoon);
+    connect(watcher_, &QFileSystemWatcher::directoryChanged, this, [this] {
+        const QStringList known = watcher_->files();
+        for (const QString& path : brdfFiles())
+            if (!known.contains(path) && QFileInfo::exists(path)) reloadSoon(path);
+    });
+    connect(&workspace, &Workspace::documentReplaced, this, [this] { fileProblem_.clear(); });
+    connect(&workspace, &Workspace::sceneChanged, this, &MaterialPanel::watchFiles);
+    connect(&workspace, &Workspace::sceneChanged, this, &MaterialPanel::refresh);
+    connect(&workspace, &Workspace::selectionChanged, this, &MaterialPanel::refresh);
+    connect(&workspace, &Workspace::analysisChanged, this, &MaterialPanel::refresh);
+    refresh();
+}
+
+void MaterialPanel::makeBrdfChoice() {
+    brdf_ = new QComboBox(this);
+    brdf_->setObjectName(QStringLiteral("materialBrdf"));
+    brdf_->setAccessibleName(tr("Material"));
+    brdf_->setToolTip(tr("How the new surface reflects light"));
+    brdf_->addItem(tr("As photographed"), QString());
+    for (const core::BrdfInfo& info : core::brdfs())
+        brdf_->addItem(QCoreApplication::translate("brdfs", info.label), QString::fromUtf8(info.key));
+    brdf_->addItem(tr("From a file…"), QString::fromLatin1(core::kFileBrdf));
     connect(brdf_, &QComboBox::activated, this, [this](int index) {
         const std::string key = brdf_->itemData(index).toString().toStdString();
         if (key != core::kFileBrdf) {
@@ -112,19 +133,27 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : Panel(work
         if (!path.isEmpty()) loadBrdf(path);
         refresh();
     });
-    connect(watcher_, &QFileSystemWatcher::fileChanged, this, &MaterialPanel::reloadSoon);
-    connect(watcher_, &QFileSystemWatcher::directoryChanged, this, [this] {
-        const QStringList known = watcher_->files();
-        for (const QString& path : brdfFiles())
-            if (!known.contains(path) && QFileInfo::exists(path)) reloadSoon(path);
-    });
-    connect(&workspace, &Workspace::documentReplaced, this, [this] { fileProblem_.clear(); });
-    connect(&workspace, &Workspace::sceneChanged, this, &MaterialPanel::watchFiles);
-    connect(remove_, &QPushButton::clicked, this, [this] { chooseBrdf({}); });
-    connect(&workspace, &Workspace::sceneChanged, this, &MaterialPanel::refresh);
-    connect(&workspace, &Workspace::selectionChanged, this, &MaterialPanel::refresh);
-    connect(&workspace, &Workspace::analysisChanged, this, &MaterialPanel::refresh);
-    refresh();
+}
+
+QWidget* MaterialPanel::makeBody() {
+    body_ = new QWidget(this);
+    auto* bodyLayout = new QVBoxLayout(body_);
+    bodyLayout->setContentsMargins(0, 0, 4, 0);
+    makeSurfaceGroup();
+    makeBlendGroup();
+    makeTranslucencyGroup();
+    auto* drives = new DriveList(workspace(), body_);
+    bodyLayout->addWidget(drives);
+    connect(drives, &DriveList::message, this, &MaterialPanel::message);
+    connect(drives, &DriveList::error, this, &MaterialPanel::error);
+    bodyLayout->addStretch(1);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(body_);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(body_->minimumSizeHint().width() + 20);
+    return scroll;
 }
 
 MaterialPanel::~MaterialPanel() = default;
@@ -137,6 +166,18 @@ ParamSlider* MaterialPanel::addMaterialSlider(const ParamSpec& spec, std::functi
 
 void MaterialPanel::makeSurfaceGroup() {
     auto* group = new QGroupBox(tr("Surface"), body_);
+    auto* params = new QWidget(group);
+    paramLayout_ = new QVBoxLayout(params);
+    paramLayout_->setContentsMargins(0, 0, 0, 0);
+    auto* layout = new QVBoxLayout(group);
+    makeColors(layout);
+    layout->addWidget(params);
+    makeFresnel(layout);
+    body_->layout()->addWidget(group);
+}
+
+void MaterialPanel::makeColors(QVBoxLayout* layout) {
+    QWidget* group = layout->parentWidget();
     albedo_ = new ColorButton(QStringLiteral("materialAlbedo"), tr("Diffuse colour"), group);
     specular_ = new ColorButton(QStringLiteral("materialSpecular"), tr("Specular colour"), group);
     specularEstimated_ = new QCheckBox(tr("Estimated"), group);
@@ -144,41 +185,8 @@ void MaterialPanel::makeSurfaceGroup() {
     specularEstimated_->setToolTip(tr("Use the reflectance estimated from the photograph (glossy segments)"));
     albedoRow_ = makeRow(tr("Diffuse"), {albedo_}, group);
     specularRow_ = makeRow(tr("Specular"), {specular_, specularEstimated_}, group);
-    auto* params = new QWidget(group);
-    paramLayout_ = new QVBoxLayout(params);
-    paramLayout_->setContentsMargins(0, 0, 0, 0);
-    fresnel_ = new QComboBox(group);
-    fresnel_->setObjectName(QStringLiteral("materialFresnel"));
-    fresnel_->setAccessibleName(tr("Fresnel"));
-    fresnel_->setToolTip(tr("How reflection grows towards grazing angles"));
-    fresnel_->addItem(tr("Same at every angle"), static_cast<int>(core::Fresnel::None));
-    fresnel_->addItem(tr("Schlick"), static_cast<int>(core::Fresnel::Schlick));
-    fresnel_->addItem(tr("Dielectric"), static_cast<int>(core::Fresnel::Dielectric));
-    fresnel_->addItem(tr("Conductor"), static_cast<int>(core::Fresnel::Conductor));
-    fresnelRow_ = makeRow(tr("Fresnel"), {fresnel_}, group);
-    metal_ = new QComboBox(group);
-    metal_->setObjectName(QStringLiteral("materialMetal"));
-    metal_->setAccessibleName(tr("Metal"));
-    metal_->setToolTip(tr("Measured n and k of pure metals"));
-    metal_->addItem(tr("By hand"), QString());
-    for (const core::Metal& metal : core::metals()) {
-        metal_->addItem(QCoreApplication::translate("metals", metal.label), QString::fromUtf8(metal.key));
-    }
-    metalRow_ = makeRow(tr("Metal"), {metal_}, group);
-    eta_ = new VectorEdit(QStringLiteral("materialEta"), tr("Index n"), tr("Index of refraction"), 0.01, 20, 3, group);
-    k_ = new VectorEdit(QStringLiteral("materialK"), tr("Extinction k"), tr("Extinction coefficient of a metal"), 0, 20,
-                        3, group);
-
-    auto* layout = new QVBoxLayout(group);
     layout->addWidget(albedoRow_);
     layout->addWidget(specularRow_);
-    layout->addWidget(params);
-    layout->addWidget(fresnelRow_);
-    layout->addWidget(metalRow_);
-    layout->addWidget(eta_);
-    layout->addWidget(k_);
-    body_->layout()->addWidget(group);
-
     connect(albedo_, &ColorButton::colorChanged, this, [this](const core::Vector3f& color) {
         editMaterial(
             tr("Change diffuse colour"), [&](core::Material& m) { m.albedo = color; }, "albedo");
@@ -194,6 +202,49 @@ void MaterialPanel::makeSurfaceGroup() {
             if (!on) m.specular = shown;
         });
     });
+    for (ColorButton* button : {albedo_, specular_})
+        connect(button, &ColorButton::editingFinished, &workspace(), &Workspace::endMerge);
+}
+
+void MaterialPanel::makeFresnel(QVBoxLayout* layout) {
+    QWidget* group = layout->parentWidget();
+    fresnel_ = new QComboBox(group);
+    fresnel_->setObjectName(QStringLiteral("materialFresnel"));
+    fresnel_->setAccessibleName(tr("Fresnel"));
+    fresnel_->setToolTip(tr("How reflection increases towards grazing angles"));
+    fresnel_->addItem(tr("Same at every angle"), static_cast<int>(core::Fresnel::None));
+    fresnel_->addItem(tr("Schlick"), static_cast<int>(core::Fresnel::Schlick));
+    fresnel_->addItem(tr("Dielectric"), static_cast<int>(core::Fresnel::Dielectric));
+    fresnel_->addItem(tr("Conductor"), static_cast<int>(core::Fresnel::Conductor));
+    fresnelRow_ = makeRow(tr("Fresnel"), {fresnel_}, group);
+    metal_ = new QComboBox(group);
+    metal_->setObjectName(QStringLiteral("materialMetal"));
+    metal_->setAccessibleName(tr("Metal"));
+    metal_->setToolTip(tr("Measured n and k of pure metals"));
+    metal_->addItem(tr("Custom"), QString());
+    for (const core::Metal& metal : core::metals())
+        metal_->addItem(QCoreApplication::translate("metals", metal.label), QString::fromUtf8(metal.key));
+    metalRow_ = makeRow(tr("Metal"), {metal_}, group);
+    layout->addWidget(fresnelRow_);
+    layout->addWidget(metalRow_);
+    eta_ = addVector({.key = "materialEta",
+                      .label = tr("Index n"),
+                      .toolTip = tr("Index of refraction"),
+                      .minimum = static_cast<double>(core::kMinIndex),
+                      .maximum = static_cast<double>(core::kMaxIndex),
+                      .decimals = 3,
+                      .edit = tr("Change index of refraction"),
+                      .set = [](core::Material& m, const core::Vector3f& value) { m.eta = value; }},
+                     layout);
+    k_ = addVector({.key = "materialK",
+                    .label = tr("Extinction k"),
+                    .toolTip = tr("Extinction coefficient of a metal"),
+                    .minimum = 0,
+                    .maximum = static_cast<double>(core::kMaxIndex),
+                    .decimals = 3,
+                    .edit = tr("Change extinction"),
+                    .set = [](core::Material& m, const core::Vector3f& value) { m.k = value; }},
+                   layout);
     connect(fresnel_, &QComboBox::activated, this, [this](int index) {
         const auto mode = static_cast<core::Fresnel>(fresnel_->itemData(index).toInt());
         editMaterial(tr("Change Fresnel"), [&](core::Material& m) { m.fresnel = mode; });
@@ -205,44 +256,42 @@ void MaterialPanel::makeSurfaceGroup() {
         else
             refresh();
     });
-    connect(eta_, &VectorEdit::valueChanged, this, [this](const core::Vector3f& value) {
+}
+
+VectorEdit* MaterialPanel::addVector(const VectorRow& row, QVBoxLayout* layout) {
+    auto* edit =
+        new VectorEdit(row.key, row.label, row.toolTip, row.minimum, row.maximum, row.decimals, layout->parentWidget());
+    if (!row.unit.isEmpty()) edit->setUnit(row.unit);
+    layout->addWidget(edit);
+    connect(edit, &VectorEdit::valueChanged, this, [this, row](const core::Vector3f& value) {
         editMaterial(
-            tr("Change index of refraction"), [&](core::Material& m) { m.eta = value; }, "eta");
+            row.edit, [&](core::Material& material) { row.set(material, value); }, row.key);
     });
-    connect(k_, &VectorEdit::valueChanged, this, [this](const core::Vector3f& value) {
-        editMaterial(
-            tr("Change extinction"), [&](core::Material& m) { m.k = value; }, "k");
-    });
-    for (ColorButton* button : {albedo_, specular_}) {
-        connect(button, &ColorButton::editingFinished, &workspace(), &Workspace::endMerge);
-    }
-    for (VectorEdit* edit : {eta_, k_}) connect(edit, &VectorEdit::editingFinished, &workspace(), &Workspace::endMerge);
+    connect(edit, &VectorEdit::editingFinished, &workspace(), &Workspace::endMerge);
+    return edit;
 }
 
 void MaterialPanel::makeBlendGroup() {
     auto* group = new QGroupBox(tr("Blend"), body_);
-    blendNew_ = addMaterialSlider({.key = "blendNew",
-                                   .label = tr("New"),
-                                   .unit = {},
-                                   .toolTip = tr("Weight of the new surface"),
-                                   .minimum = 0,
-                                   .maximum = 2,
-                                   .initial = 1,
-                                   .decimals = 2},
-                                  [](core::Material& m, float v) { m.blendNew = v; });
-    blendOriginal_ = addMaterialSlider({.key = "blendOriginal",
-                                        .label = tr("Photograph"),
-                                        .unit = {},
-                                        .toolTip = tr("Weight of the photograph underneath"),
-                                        .minimum = 0,
-                                        .maximum = 2,
-                                        .initial = 0,
-                                        .decimals = 2},
-                                       [](core::Material& m, float v) { m.blendOriginal = v; });
     auto* layout = new QVBoxLayout(group);
-    layout->addWidget(blendNew_);
-    layout->addWidget(blendOriginal_);
+    for (const core::MaterialParam& param : core::blendParams()) {
+        auto* control = new ParamControl(param, group);
+        layout->addWidget(control);
+        blend_.push_back(control);
+        connectControl(control, [&param](core::Material& m, const core::ParamValue& value) { param.set(m, value); });
+    }
     body_->layout()->addWidget(group);
+}
+
+void MaterialPanel::connectControl(ParamControl* control,
+                                   std::function<void(core::Material&, const core::ParamValue&)> set) {
+    connect(control, &ParamControl::edited, this,
+            [this, control, set = std::move(set)](const core::ParamValue& value, bool continues) {
+                editMaterial(
+                    tr("Change %1").arg(control->label()), [&](core::Material& m) { set(m, value); },
+                    continues ? control->name() : QString());
+            });
+    connect(control, &ParamControl::editingFinished, &workspace(), &Workspace::endMerge);
 }
 
 void MaterialPanel::makeTranslucencyGroup() {
@@ -251,141 +300,97 @@ void MaterialPanel::makeTranslucencyGroup() {
     translucency_->setAccessibleName(tr("Translucency"));
     translucency_->setCheckable(true);
     translucency_->setToolTip(tr("Light that enters the object, scatters and leaves elsewhere: wax, marble, skin"));
-    preset_ = new QComboBox(translucency_);
-    preset_->setObjectName(QStringLiteral("translucencyPreset"));
-    preset_->setAccessibleName(tr("Substance"));
-    preset_->setToolTip(tr("Measured substances"));
-    preset_->addItem(tr("By hand"), QString());
-    for (const core::TranslucencyPreset& preset : core::translucencyPresets()) {
-        preset_->addItem(QCoreApplication::translate("presets", preset.label), QString::fromUtf8(preset.key));
-    }
-    scatteringModel_ = new QComboBox(translucency_);
-    scatteringModel_->setObjectName(QStringLiteral("translucencyModel"));
-    scatteringModel_->setAccessibleName(tr("Model"));
-    scatteringModel_->setToolTip(
-        tr("How light spreads: the better dipole is nearer to the truth where much is absorbed"));
-    scatteringModel_->addItem(tr("Dipole"));
-    scatteringModel_->addItem(tr("Better dipole"));
-    diffusionColor_ = new ColorButton(QStringLiteral("translucencyColor"), tr("Colour"), translucency_);
-    diffusionColor_->setToolTip(tr("Colour of a thick piece; changes absorption and scattering"));
-    freePath_ = new VectorEdit(QStringLiteral("translucencyFreePath"), tr("Free path"),
-                               tr("How far light gets below the surface [mm]; changes absorption and scattering"),
-                               0.001, static_cast<double>(core::kLongestFreePath), 3, translucency_);
-    sigmaA_ = new VectorEdit(QStringLiteral("translucencySigmaA"), tr("Absorption"),
-                             tr("Absorption coefficient [1/mm]"), 0, 100, 4, translucency_);
-    sigmaSPrime_ = new VectorEdit(QStringLiteral("translucencySigmaSPrime"), tr("Scattering"),
-                                  tr("Reduced scattering coefficient [1/mm]"), 0.0001, 1000, 3, translucency_);
-    freePath_->setUnit(tr("mm"));
-    for (VectorEdit* coefficient : {sigmaA_, sigmaSPrime_}) coefficient->setUnit(tr("1/mm"));
-    const auto slider = [this](const ParamSpec& spec, std::function<void(core::Translucency&, float)> set) {
-        return addMaterialSlider(spec, [set = std::move(set)](core::Material& material, float value) {
-            if (material.translucency) set(*material.translucency, value);
-        });
-    };
-    translucencyEta_ = slider({.key = "translucencyEta",
-                               .label = tr("Index"),
-                               .unit = {},
-                               .toolTip = tr("Relative index of refraction; 1 = no boundary"),
-                               .minimum = 1,
-                               .maximum = 2.5,
-                               .initial = 1.3,
-                               .decimals = 2},
-                              [](core::Translucency& t, float v) { t.eta = v; });
-    translucencyScale_ =
-        slider({.key = "translucencyScale",
-                .label = tr("Size"),
-                .unit = {},
-                .toolTip = tr("Pretend the object is this many times as large: larger is less translucent"),
-                .minimum = 0.01,
-                .maximum = 100,
-                .initial = 1,
-                .logarithmic = true,
-                .decimals = 2},
-               [](core::Translucency& t, float v) { t.scale = v; });
-    translucencyWeight_ = slider({.key = "translucencyWeight",
-                                  .label = tr("Weight"),
-                                  .unit = {},
-                                  .toolTip = tr("Factor on the light that was scattered inside"),
-                                  .minimum = 0,
-                                  .maximum = 4,
-                                  .initial = 1,
-                                  .decimals = 2},
-                                 [](core::Translucency& t, float v) { t.weight = v; });
     auto* layout = new QVBoxLayout(translucency_);
-    layout->addWidget(makeRow(tr("Substance"), {preset_}, translucency_));
-    layout->addWidget(makeRow(tr("Colour"), {diffusionColor_}, translucency_));
-    layout->addWidget(freePath_);
-    layout->addWidget(sigmaA_);
-    layout->addWidget(sigmaSPrime_);
-    layout->addWidget(makeRow(tr("Model"), {scatteringModel_}, translucency_));
-    layout->addWidget(translucencyEta_);
-    layout->addWidget(translucencyScale_);
-    layout->addWidget(translucencyWeight_);
+    makeSubstance(layout);
+    makeCoefficients(layout);
+    for (const core::TranslucencyParam& param : core::translucencyParams()) {
+        auto* control = new ParamControl(param, translucency_);
+        layout->addWidget(control);
+        translucencyControls_.push_back(control);
+        connectControl(control, [&param](core::Material& m, const core::ParamValue& value) {
+            if (m.translucency) param.set(*m.translucency, value);
+        });
+    }
     body_->layout()->addWidget(translucency_);
-
     connect(translucency_, &QGroupBox::clicked, this, [this](bool on) {
         editMaterial(on ? tr("Make translucent") : tr("Make opaque"), [&](core::Material& m) {
             m.translucency.reset();
             if (on) m.translucency = core::toTranslucency(core::translucencyPresets().front());
         });
     });
+}
+
+void MaterialPanel::makeSubstance(QVBoxLayout* layout) {
+    preset_ = new QComboBox(translucency_);
+    preset_->setObjectName(QStringLiteral("translucencyPreset"));
+    preset_->setAccessibleName(tr("Substance"));
+    preset_->setToolTip(tr("Measured substances"));
+    preset_->addItem(tr("Custom"), QString());
+    for (const core::TranslucencyPreset& preset : core::translucencyPresets())
+        preset_->addItem(QCoreApplication::translate("presets", preset.label), QString::fromUtf8(preset.key));
+    diffusionColor_ = new ColorButton(QStringLiteral("translucencyColor"), tr("Colour"), translucency_);
+    diffusionColor_->setToolTip(tr("Colour of a thick piece; changes absorption and scattering"));
+    layout->addWidget(makeRow(tr("Substance"), {preset_}, translucency_));
+    layout->addWidget(makeRow(tr("Colour"), {diffusionColor_}, translucency_));
     connect(preset_, &QComboBox::activated, this, [this](int index) {
         const std::string key = preset_->itemData(index).toString().toStdString();
-        editTranslucency(tr("Choose substance"),
-                         [&](core::Translucency& t) {
-                             const core::TranslucencyPreset* preset = core::findTranslucencyPreset(key);
-                             t.preset = key;
-                             if (preset == nullptr) return;
-                             const core::Translucency values = core::toTranslucency(*preset);
-                             t.preset = values.preset;
-                             t.sigmaA = values.sigmaA;
-                             t.sigmaSPrime = values.sigmaSPrime;
-                             t.eta = values.eta;
-                         },
-                         {});
+        editMaterial(tr("Choose substance"), [&](core::Material& m) {
+            if (m.translucency) choosePreset(*m.translucency, key);
+        });
     });
-    connect(scatteringModel_, &QComboBox::activated, this, [this](int index) {
-        editTranslucency(tr("Change scattering model"),
-                         [index](core::Translucency& t) { t.model = static_cast<core::ScatteringModel>(index); }, {});
-    });
-    const auto look = [](core::Translucency& t, const core::Vector3f& color, const core::Vector3f& freePath) {
-        const core::Translucency wanted = core::translucencyFromDiffuse(color, freePath, t.eta, t.model);
-        t.sigmaA = wanted.sigmaA;
-        t.sigmaSPrime = wanted.sigmaSPrime;
-        t.preset.clear();
-    };
-    connect(diffusionColor_, &ColorButton::colorChanged, this, [this, look](const core::Vector3f& value) {
-        editTranslucency(
-            tr("Change diffusion colour"), [&](core::Translucency& t) { look(t, value, core::diffuseMeanFreePath(t)); },
+    connect(diffusionColor_, &ColorButton::colorChanged, this, [this](const core::Vector3f& value) {
+        editMaterial(
+            tr("Change diffusion colour"),
+            [&](core::Material& m) {
+                if (m.translucency) setLook(*m.translucency, value, core::diffuseMeanFreePath(*m.translucency));
+            },
             "translucencyColor");
     });
     connect(diffusionColor_, &ColorButton::editingFinished, &workspace(), &Workspace::endMerge);
-    connect(freePath_, &VectorEdit::valueChanged, this, [this, look](const core::Vector3f& value) {
-        editTranslucency(
-            tr("Change free path"), [&](core::Translucency& t) { look(t, core::diffuseReflectance(t), value); },
-            "translucencyFreePath");
-    });
-    connect(sigmaA_, &VectorEdit::valueChanged, this, [this](const core::Vector3f& value) {
-        editTranslucency(
-            tr("Change absorption"),
-            [&](core::Translucency& t) {
-                t.sigmaA = value;
-                t.preset.clear();
-            },
-            "sigmaA");
-    });
-    connect(sigmaSPrime_, &VectorEdit::valueChanged, this, [this](const core::Vector3f& value) {
-        editTranslucency(
-            tr("Change scattering"),
-            [&](core::Translucency& t) {
-                t.sigmaSPrime = value;
-                t.preset.clear();
-            },
-            "sigmaSPrime");
-    });
-    for (VectorEdit* edit : {sigmaA_, sigmaSPrime_, freePath_}) {
-        connect(edit, &VectorEdit::editingFinished, &workspace(), &Workspace::endMerge);
-    }
+}
+
+void MaterialPanel::makeCoefficients(QVBoxLayout* layout) {
+    const auto coefficient = [](core::Vector3f core::Translucency::*member) {
+        return [member](core::Material& m, const core::Vector3f& value) {
+            if (!m.translucency) return;
+            (*m.translucency).*member = value;
+            m.translucency->preset.clear();
+        };
+    };
+    freePath_ = addVector({.key = "translucencyFreePath",
+                           .label = tr("Free path"),
+                           .toolTip = tr("Depth that light reaches [mm]; changes absorption and scattering"),
+                           .unit = tr("mm"),
+                           .minimum = 0.001,
+                           .maximum = static_cast<double>(core::kLongestFreePath),
+                           .decimals = 3,
+                           .edit = tr("Change free path"),
+                           .set =
+                               [](core::Material& m, const core::Vector3f& value) {
+                                   if (!m.translucency) return;
+                                   setLook(*m.translucency, core::diffuseReflectance(*m.translucency), value);
+                               }},
+                          layout);
+    sigmaA_ = addVector({.key = "translucencySigmaA",
+                         .label = tr("Absorption"),
+                         .toolTip = tr("Absorption coefficient [1/mm]"),
+                         .unit = tr("1/mm"),
+                         .minimum = 0,
+                         .maximum = 100,
+                         .decimals = 4,
+                         .edit = tr("Change absorption"),
+                         .set = coefficient(&core::Translucency::sigmaA)},
+                        layout);
+    sigmaSPrime_ = addVector({.key = "translucencySigmaSPrime",
+                              .label = tr("Scattering"),
+                              .toolTip = tr("Reduced scattering coefficient [1/mm]"),
+                              .unit = tr("1/mm"),
+                              .minimum = 0.0001,
+                              .maximum = 1000,
+                              .decimals = 3,
+                              .edit = tr("Change scattering"),
+                              .set = coefficient(&core::Translucency::sigmaSPrime)},
+                             layout);
 }
 
 void MaterialPanel::rebuildParams(const core::Material& material) {
@@ -491,7 +496,7 @@ QStringList MaterialPanel::brdfFiles() const {
 void MaterialPanel::watchFiles() {
     QStringList wanted;
     for (const QString& path : brdfFiles()) {
-        // Of a file that is not there its folder tells when it comes.
+        // A missing file is watched through its folder.
         const QString watched = QFileInfo::exists(path) ? path : QFileInfo(path).absolutePath();
         if (!wanted.contains(watched)) wanted << watched;
     }
@@ -538,7 +543,7 @@ void MaterialPanel::showFile(const core::Material& material) {
     if (!file.problem.empty())
         text = tr("Shown as photographed: %1").arg(translated(file.problem));
     else if (!fileProblem_.isEmpty())
-        text = tr("Its last usable state is shown: %1").arg(fileProblem_);
+        text = tr("Showing the last valid version: %1").arg(fileProblem_);
     file_->setText(text);
     file_->setToolTip(QString::fromStdString(file.path));
 }
@@ -551,22 +556,12 @@ void MaterialPanel::editMaterial(const QString& label, const std::function<void(
         label, [&](core::Segment& s) { change(*s.edit); }, mergeKey);
 }
 
-void MaterialPanel::editTranslucency(const QString& label, const std::function<void(core::Translucency&)>& change,
-                                     const QString& mergeKey) {
-    editMaterial(
-        label,
-        [&](core::Material& m) {
-            if (m.translucency) change(*m.translucency);
-        },
-        mergeKey);
-}
-
 void MaterialPanel::refresh() {
     const core::Segment* segment = workspace().selectedSegment();
     const bool edited = segment != nullptr && segment->edit.has_value();
     title_->setText(segment != nullptr       ? QString::fromStdString(segment->name)
                     : workspace().hasPhoto() ? tr("Click a segment in the picture or in the list")
-                                             : tr("Nothing is open"));
+                                             : tr("No project open"));
     brdf_->setEnabled(segment != nullptr);
     remove_->setEnabled(edited);
     body_->setVisible(edited);
@@ -576,49 +571,59 @@ void MaterialPanel::refresh() {
     if (!edited) return;
 
     const core::Material& material = *segment->edit;
-    const core::BrdfInfo* info = core::usable(material) ? core::findBrdf(material) : nullptr;
     rebuildParams(material);
     for (std::size_t i = 0; i < params_.size(); ++i) params_[i]->setValue(static_cast<double>(material.values.at(i)));
-    const bool specular = info != nullptr && info->usesSpecular;
+    refreshColors(*segment);
+    refreshFresnel(material);
+    for (std::size_t i = 0; i < blend_.size(); ++i) blend_[i]->setValue(core::blendParams()[i].get(material));
+    refreshTranslucency(material);
+}
+
+void MaterialPanel::refreshColors(const core::Segment& segment) {
+    const core::Material& material = *segment.edit;
+    const core::BrdfInfo* info = core::usable(material) ? core::findBrdf(material) : nullptr;
     albedoRow_->setVisible(info != nullptr && info->usesAlbedo);
     albedo_->setColor(material.albedo);
-    specularRow_->setVisible(specular);
+    specularRow_->setVisible(info != nullptr && info->usesSpecular);
     specularEstimated_->setChecked(!material.specular.has_value());
     specular_->setEnabled(material.specular.has_value());
     const auto& analysis = workspace().analysis();
-    const core::Reflectance* found = analysis != nullptr ? analysis->findReflectance(segment->label) : nullptr;
-    specular_->setColor(material.specular
-                            ? *material.specular
-                            : segment->reflectance.value_or(found != nullptr ? found->rho : core::Vector3f(1, 1, 1)));
+    const core::Reflectance* found = analysis != nullptr ? analysis->findReflectance(segment.label) : nullptr;
+    const core::Vector3f estimate = found != nullptr ? found->rho : core::Vector3f(1, 1, 1);
+    specular_->setColor(material.specular.value_or(segment.reflectance.value_or(estimate)));
+}
+
+void MaterialPanel::refreshFresnel(const core::Material& material) {
+    const core::BrdfInfo* info = core::usable(material) ? core::findBrdf(material) : nullptr;
+    const bool specular = info != nullptr && info->usesSpecular;
     const auto* user = specular && material.brdfFile ? material.brdfFile->user.get() : nullptr;
     const bool fresnel = specular && (user == nullptr || user->usesFresnel);
+    const bool conductor = fresnel && material.fresnel == core::Fresnel::Conductor;
+    const bool dielectric = fresnel && material.fresnel == core::Fresnel::Dielectric;
     fresnelRow_->setVisible(fresnel);
     const QSignalBlocker blockFresnel(fresnel_);
     fresnel_->setCurrentIndex(fresnel_->findData(static_cast<int>(material.fresnel)));
-    eta_->setVisible(fresnel &&
-                     (material.fresnel == core::Fresnel::Dielectric || material.fresnel == core::Fresnel::Conductor));
-    k_->setVisible(fresnel && material.fresnel == core::Fresnel::Conductor);
-    metalRow_->setVisible(fresnel && material.fresnel == core::Fresnel::Conductor);
+    eta_->setVisible(dielectric || conductor);
+    k_->setVisible(conductor);
+    metalRow_->setVisible(conductor);
     const core::Metal* metal = core::metalOf(material);
     const QSignalBlocker blockMetal(metal_);
     metal_->setCurrentIndex(metal == nullptr ? 0 : metal_->findData(QString::fromUtf8(metal->key)));
     eta_->setValue(material.eta);
     k_->setValue(material.k);
-    blendNew_->setValue(static_cast<double>(material.blendNew));
-    blendOriginal_->setValue(static_cast<double>(material.blendOriginal));
+}
 
+void MaterialPanel::refreshTranslucency(const core::Material& material) {
     translucency_->setChecked(material.translucency.has_value());
     const core::Translucency shown = material.translucency.value_or(core::Translucency());
     const QSignalBlocker blockPreset(preset_);
     preset_->setCurrentIndex(std::max(0, preset_->findData(QString::fromStdString(shown.preset))));
-    scatteringModel_->setCurrentIndex(static_cast<int>(shown.model));
     diffusionColor_->setColor(core::diffuseReflectance(shown));
     freePath_->setValue(core::diffuseMeanFreePath(shown));
     sigmaA_->setValue(shown.sigmaA);
     sigmaSPrime_->setValue(shown.sigmaSPrime);
-    translucencyEta_->setValue(static_cast<double>(shown.eta));
-    translucencyScale_->setValue(static_cast<double>(shown.scale));
-    translucencyWeight_->setValue(static_cast<double>(shown.weight));
+    for (std::size_t i = 0; i < translucencyControls_.size(); ++i)
+        translucencyControls_[i]->setValue(core::translucencyParams()[i].get(shown));
 }
 
 }  // namespace ui

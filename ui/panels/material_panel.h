@@ -25,6 +25,7 @@ namespace ui {
 
 class BackgroundTask;
 class ColorButton;
+class ParamControl;
 class ParamSlider;
 class VectorEdit;
 
@@ -40,18 +41,42 @@ class MaterialPanel : public Panel {
     void loadBrdf(const QString& path);
 
   private:
+    /// Three numbers of a material that are not a colour, and the undo step that sets them.
+    struct VectorRow {
+        QString key;
+        QString label;
+        QString toolTip;
+        QString unit = {};
+        double minimum = 0;
+        double maximum = 0;
+        int decimals = 3;
+        QString edit;
+        std::function<void(core::Material&, const core::Vector3f&)> set;
+    };
+
+    void makeBrdfChoice();
+    QWidget* makeBody();
     void makeSurfaceGroup();
+    void makeColors(QVBoxLayout* layout);
+    void makeFresnel(QVBoxLayout* layout);
     void makeBlendGroup();
     void makeTranslucencyGroup();
+    void makeSubstance(QVBoxLayout* layout);
+    void makeCoefficients(QVBoxLayout* layout);
+    VectorEdit* addVector(const VectorRow& row, QVBoxLayout* layout);
+    void connectControl(ParamControl* control, std::function<void(core::Material&, const core::ParamValue&)> set);
     /// Replaces the BRDF's sliders when another BRDF is shown.
     void rebuildParams(const core::Material& material);
     void refresh();
+    void refreshColors(const core::Segment& segment);
+    void refreshFresnel(const core::Material& material);
+    void refreshTranslucency(const core::Material& material);
     /// The files of the scene's BRDFs.
     [[nodiscard]] QStringList brdfFiles() const;
-    /// Watches them, also those that are not there yet.
+    /// Watches these files, missing ones included.
     void watchFiles();
     void reloadSoon(const QString& path);
-    /// Reads files that changed on disk again; one that cannot be used any more keeps its last state.
+    /// Reads files again that changed on disk; the last valid version of a file stays in use.
     void reloadChanged();
     using Loaded = std::function<void(const std::shared_ptr<const core::BrdfFile>&)>;
     void readFile(const std::string& path, const Loaded& then, const std::function<void(const QString&)>& otherwise);
@@ -61,8 +86,6 @@ class MaterialPanel : public Panel {
     /// Edits the selected segment's material, if it has one.
     void editMaterial(const QString& label, const std::function<void(core::Material&)>& change,
                       const QString& mergeKey = {});
-    void editTranslucency(const QString& label, const std::function<void(core::Translucency&)>& change,
-                          const QString& mergeKey);
     ParamSlider* addMaterialSlider(const struct ParamSpec& spec, std::function<void(core::Material&, float)> set);
 
     QLabel* title_ = nullptr;
@@ -70,7 +93,7 @@ class MaterialPanel : public Panel {
     QPushButton* remove_ = nullptr;
     QLabel* file_ = nullptr;
     QFileSystemWatcher* watcher_ = nullptr;
-    std::set<std::string> changed_;  ///< files to be read again
+    std::set<std::string> changed_;  ///< files to read again
     QString fileProblem_;            ///< why a file's latest state is not in use
     std::unique_ptr<BackgroundTask> loading_;
     QWidget* body_ = nullptr;
@@ -89,18 +112,14 @@ class MaterialPanel : public Panel {
     QComboBox* metal_ = nullptr;
     VectorEdit* eta_ = nullptr;
     VectorEdit* k_ = nullptr;
-    ParamSlider* blendNew_ = nullptr;
-    ParamSlider* blendOriginal_ = nullptr;
+    std::vector<ParamControl*> blend_;  ///< in the order of core::blendParams
     QGroupBox* translucency_ = nullptr;
     QComboBox* preset_ = nullptr;
-    QComboBox* scatteringModel_ = nullptr;
     ColorButton* diffusionColor_ = nullptr;
     VectorEdit* freePath_ = nullptr;
     VectorEdit* sigmaA_ = nullptr;
     VectorEdit* sigmaSPrime_ = nullptr;
-    ParamSlider* translucencyEta_ = nullptr;
-    ParamSlider* translucencyScale_ = nullptr;
-    ParamSlider* translucencyWeight_ = nullptr;
+    std::vector<ParamControl*> translucencyControls_;  ///< in the order of core::translucencyParams
 };
 
 }  // namespace ui

@@ -3,15 +3,10 @@
 
 #include "ui/panels/panel.h"
 
-class QCheckBox;
-class QComboBox;
-class QSpinBox;
-
 namespace ui {
 
-class ParamSlider;
-
-/// Quality of the picture and of the geometry it is computed from: samples, bounces, filters.
+/// Quality of the picture and of the geometry it is computed from: samples, bounces, filters. All of its controls are
+/// rows of core/scene/params.h.
 class RenderPanel : public Panel {
     Q_OBJECT
   public:
@@ -19,23 +14,6 @@ class RenderPanel : public Panel {
 
   private:
     void refresh();
-    QSpinBox* addNumber(const QString& key, const QString& label, const QString& toolTip, int minimum, int maximum,
-                        std::function<void(core::Scene&, int)> set);
-
-    QSpinBox* samples_ = nullptr;
-    QSpinBox* timeLimit_ = nullptr;
-    QSpinBox* bounces_ = nullptr;
-    QSpinBox* seed_ = nullptr;
-    QSpinBox* surfaceSamples_ = nullptr;
-    QSpinBox* irradianceSamples_ = nullptr;
-    QComboBox* diffusionQuality_ = nullptr;
-    QCheckBox* filter_ = nullptr;
-    QCheckBox* depthFilter_ = nullptr;
-    QCheckBox* automatic_ = nullptr;
-    ParamSlider* spatialSigma_ = nullptr;
-    ParamSlider* colorSigma_ = nullptr;
-    ParamSlider* depthSigma_ = nullptr;
-    QSpinBox* holeRadius_ = nullptr;
 };
 
 }  // namespace ui

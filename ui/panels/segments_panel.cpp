@@ -33,7 +33,7 @@ SegmentsPanel::SegmentsPanel(Workspace& workspace, QWidget* parent) : Panel(work
     list_->setColumnCount(kColumnCount);
     list_->setHeaderLabels({tr("Segment"), tr("Glossy"), tr("Edited")});
     list_->headerItem()->setToolTip(kGlossy,
-                                    tr("What a glossy segment shows are reflections: the light is read from them."));
+                                    tr("Glossy segments show reflections, from which the light is recovered."));
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
     list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
@@ -41,7 +41,7 @@ SegmentsPanel::SegmentsPanel(Workspace& workspace, QWidget* parent) : Panel(work
     list_->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
     list_->header()->setSectionResizeMode(kGlossy, QHeaderView::ResizeToContents);
     list_->header()->setSectionResizeMode(kEdited, QHeaderView::ResizeToContents);
-    list_->setToolTip(tr("Click selects a segment, double-click renames it, the box flags it as glossy."));
+    list_->setToolTip(tr("Click to select a segment, double-click to rename it, check the box to flag it as glossy."));
     hint_ = new QLabel(tr("No segments: open a project, or a photograph with a label map."), this);
     hint_->setObjectName(QStringLiteral("segmentHint"));
     hint_->setWordWrap(true);
@@ -85,7 +85,7 @@ void SegmentsPanel::refresh() {
         item->setToolTip(kName,
                          tr("Segment %1, label %2").arg(QString::fromStdString(segment.name)).arg(segment.label));
         item->setCheckState(kGlossy, segment.glossy ? Qt::Checked : Qt::Unchecked);
-        item->setToolTip(kGlossy, tr("Glossy: what this segment shows are reflections"));
+        item->setToolTip(kGlossy, tr("Treat the segment's colours as reflections"));
         item->setText(kEdited, segment.edit ? QStringLiteral("●") : QString());
         item->setToolTip(kEdited, segment.edit ? tr("Has a new material") : tr("Unchanged"));
     }

@@ -7,8 +7,8 @@
 
 namespace ui {
 
-/// Shows a scene-linear colour as the screen does; a click opens a colour dialog. Setting a colour from outside emits
-/// nothing.
+/// Shows a scene-linear colour as it appears on the screen; a click opens a colour dialog. Setting a colour from
+/// outside emits nothing.
 class ColorButton : public QToolButton {
     Q_OBJECT
   public:
@@ -18,7 +18,7 @@ class ColorButton : public QToolButton {
     void setColor(const core::Vector3f& linear);
 
   signals:
-    /// While the dialog is used, as scene-linear colour in [0, 1].
+    /// The user changes the colour in the dialog; scene-linear, in [0, 1].
     void colorChanged(const core::Vector3f& linear);
     void editingFinished();
 

@@ -8,8 +8,8 @@
 
 namespace ui {
 
-/// Shows a directional map (latitude-longitude, centre = the camera's forward direction). With the overlay, directions
-/// nobody observed, filled by interpolation, are hatched.
+/// Shows a directional map (latitude-longitude, centre = the camera's forward direction). The overlay hatches
+/// directions that were not observed but interpolated.
 class MapView : public QWidget {
     Q_OBJECT
   public:
@@ -20,7 +20,7 @@ class MapView : public QWidget {
     void setEmpty(const QString& reason);
     void setExposure(float stops);
     void setCoverageShown(bool shown);
-    /// What is painted, for tests and for saving a picture of the map.
+    /// The displayed picture, for tests and for saving it.
     [[nodiscard]] const QImage& image() const { return image_; }
 
     [[nodiscard]] QSize sizeHint() const override { return {256, 128}; }

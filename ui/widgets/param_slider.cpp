@@ -30,7 +30,7 @@ ParamSlider::ParamSlider(const ParamSpec& spec, QWidget* parent) : QWidget(paren
     slider_->setMinimumWidth(60);
     spin_ = new QDoubleSpinBox(this);
     spin_->setObjectName(spec_.key + QStringLiteral("Spin"));
-    spin_->setRange(spec_.minimum, spec_.maximum);
+    spin_->setRange(spec_.lowest.value_or(spec_.minimum), spec_.highest.value_or(spec_.maximum));
     spin_->setDecimals(spec_.decimals);
     spin_->setStepType(spec_.logarithmic ? QAbstractSpinBox::AdaptiveDecimalStepType
                                          : QAbstractSpinBox::DefaultStepType);
@@ -41,7 +41,7 @@ ParamSlider::ParamSlider(const ParamSpec& spec, QWidget* parent) : QWidget(paren
     label_->setBuddy(spin_);
 
     const QString help = spec_.toolTip.isEmpty() ? spec_.label : spec_.toolTip;
-    const QString reset = tr("%1\nDouble-click the label to return to %2.").arg(help).arg(spec_.initial);
+    const QString reset = tr("%1\nDouble-click the label to reset to %2.").arg(help).arg(spec_.initial);
     for (QWidget* widget :
          {static_cast<QWidget*>(label_), static_cast<QWidget*>(slider_), static_cast<QWidget*>(spin_)}) {
         widget->setToolTip(reset);
@@ -65,7 +65,7 @@ ParamSlider::ParamSlider(const ParamSpec& spec, QWidget* parent) : QWidget(paren
 }
 
 void ParamSlider::setValue(double value) {
-    value_ = std::clamp(value, spec_.minimum, spec_.maximum);
+    value_ = std::clamp(value, spec_.lowest.value_or(spec_.minimum), spec_.highest.value_or(spec_.maximum));
     const QSignalBlocker blockSlider(slider_);
     const QSignalBlocker blockSpin(spin_);
     slider_->setValue(positionOf(value_));
@@ -85,8 +85,9 @@ double ParamSlider::valueAt(int position) const {
 }
 
 int ParamSlider::positionOf(double value) const {
-    const double t = spec_.logarithmic ? std::log(value / spec_.minimum) / std::log(spec_.maximum / spec_.minimum)
-                                       : (value - spec_.minimum) / (spec_.maximum - spec_.minimum);
+    const double inside = std::clamp(value, spec_.minimum, spec_.maximum);
+    const double t = spec_.logarithmic ? std::log(inside / spec_.minimum) / std::log(spec_.maximum / spec_.minimum)
+                                       : (inside - spec_.minimum) / (spec_.maximum - spec_.minimum);
     return static_cast<int>(std::lround(std::clamp(t, 0.0, 1.0) * kSteps));
 }
 

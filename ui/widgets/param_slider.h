@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 class QDoubleSpinBox;
 class QLabel;
@@ -9,9 +10,10 @@ class QSlider;
 
 namespace ui {
 
-inline constexpr int kLabelWidth = 104;  ///< [px] at least, so that the controls of a panel line up
+/// Minimum width of labels [px], so that the controls of a panel line up.
+inline constexpr int kLabelWidth = 104;
 
-/// What a scalar control shows: the same table the BRDFs declare (shaders/brdf), in Qt's terms.
+/// A scalar control in Qt's terms, made from a row of a BRDF's table (shaders/brdf) or of core/scene/params.h.
 struct ParamSpec {
     QString key;    ///< object name of the control; its parts are `<key>Slider` and `<key>Spin`
     QString label;  ///< translated, shown and used as accessible name
@@ -22,6 +24,8 @@ struct ParamSpec {
     double initial = 0;        ///< double-click on the label or slider returns to it
     bool logarithmic = false;  ///< slider positions are spaced by factors; needs minimum > 0
     int decimals = 3;
+    std::optional<double> lowest = {};   ///< what can be typed; by default the slider's minimum
+    std::optional<double> highest = {};  ///< by default the slider's maximum
 };
 
 /// One number: label, slider and spin box that agree. Setting a value from outside emits nothing.
@@ -35,9 +39,9 @@ class ParamSlider : public QWidget {
     [[nodiscard]] const ParamSpec& spec() const { return spec_; }
 
   signals:
-    /// The user changed the value; many times while the slider moves.
+    /// The user changed the value; emitted continuously while the slider moves.
     void valueChanged(double value);
-    /// The user let go: the change is one step.
+    /// The user released the slider or left the box: the change is complete.
     void editingFinished();
 
   protected:

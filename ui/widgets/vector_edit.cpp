@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "ui/widgets/param_slider.h"
+
 namespace ui {
 
 VectorEdit::VectorEdit(const QString& key, const QString& label, const QString& toolTip, double minimum, double maximum,
@@ -16,7 +18,7 @@ VectorEdit::VectorEdit(const QString& key, const QString& label, const QString& 
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(3);
     auto* title = new QLabel(label, this);
-    title->setMinimumWidth(104);
+    title->setMinimumWidth(kLabelWidth);
     title->setToolTip(toolTip);
     layout->addWidget(title);
     const std::array<QString, 3> letters = {QStringLiteral("R"), QStringLiteral("G"), QStringLiteral("B")};

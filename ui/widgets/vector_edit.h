@@ -21,7 +21,7 @@ class VectorEdit : public QWidget {
 
     [[nodiscard]] core::Vector3f value() const;
     void setValue(const core::Vector3f& value);
-    /// Shows the unit of the numbers behind them.
+    /// Shows a unit after the numbers.
     void setUnit(const QString& unit);
 
   signals:

@@ -5,13 +5,14 @@
 
 namespace core::analysis {
 
-/// The back of boxes, books and other things with flat faces and sharp edges: where a flat visible face ends at the
-/// outline, a hidden face goes on behind that edge at a right angle to it. The object is what all hidden faces enclose.
+/// The back of boxes, books and other objects with flat faces and sharp edges: where a flat visible face ends at the
+/// outline, a hidden face continues behind that edge at a right angle to it. The object is what all hidden faces
+/// enclose.
 struct FlatFaces {
-    BackSamples samples;  ///< where no hidden face is met, none
-    /// Part of the known outline where a flat face ends in a straight edge, [0, 1].
+    BackSamples samples;  ///< not covered where the pixel's ray meets no hidden face
+    /// Share of the known outline where a flat face ends in a straight edge, [0, 1].
     float outline = 0;
-    /// max of 1 − `outline` and the fraction of the front outside a hidden face.
+    /// Maximum of 1 − `outline` and the share of the front that lies outside a hidden face.
     float error = 1;
     int faces = 0;  ///< hidden faces found
 };

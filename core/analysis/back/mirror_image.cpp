@@ -8,6 +8,10 @@
 namespace core::analysis {
 namespace {
 
+/// Maximum depth difference [pixel widths] of neighbouring pixels of one surface.
+constexpr float kMaxConnectedStep = 12;
+
+/// A corner of a triangle of the mirror image, in pixels.
 struct Vertex {
     float u = 0, v = 0;
     BackSample sample;
@@ -48,9 +52,8 @@ void drawTriangle(BackSamples& samples, const SegmentPixels& segment, const Vert
     }
 }
 
-void pullPush(BackSamples& fine) {
-    if (std::ranges::all_of(fine.pixels(), [](const BackSample& s) { return s.w > 0; })) return;
-    if (fine.width() == 1 && fine.height() == 1) return;
+/// Means over the covered ones of 2×2 samples, without normals.
+BackSamples halfSize(const BackSamples& fine) {
     BackSamples coarse((fine.width() + 1) / 2, (fine.height() + 1) / 2);
     for (int y = 0; y < coarse.height(); ++y) {
         for (int x = 0; x < coarse.width(); ++x) {
@@ -69,32 +72,73 @@ void pullPush(BackSamples& fine) {
             sum.color /= count;
         }
     }
-    pullPush(coarse);
-    for (int y = 0; y < fine.height(); ++y) {
-        for (int x = 0; x < fine.width(); ++x) {
-            BackSample& target = fine(x, y);
-            if (target.w > 0) continue;
-            // Bilinear between coarse centres.
-            const float cx = 0.5f * (static_cast<float>(x) + 0.5f) - 0.5f;
-            const float cy = 0.5f * (static_cast<float>(y) + 0.5f) - 0.5f;
-            const int x0 = static_cast<int>(std::floor(cx));
-            const int y0 = static_cast<int>(std::floor(cy));
-            float weight = 0;
-            for (int k = 0; k < 4; ++k) {
-                const int sx = std::clamp(x0 + (k & 1), 0, coarse.width() - 1);
-                const int sy = std::clamp(y0 + (k >> 1), 0, coarse.height() - 1);
-                const BackSample& sample = coarse(sx, sy);
-                if (sample.w <= 0) continue;
-                const float kx = (k & 1) != 0 ? cx - static_cast<float>(x0) : 1 - cx + static_cast<float>(x0);
-                const float ky = (k >> 1) != 0 ? cy - static_cast<float>(y0) : 1 - cy + static_cast<float>(y0);
-                target.w += kx * ky * sample.w;
-                target.color += kx * ky * sample.color;
-                weight += kx * ky;
-            }
-            if (weight <= 0) continue;
-            target.w /= weight;
-            target.color /= weight;
-        }
+    return coarse;
+}
+
+/// Bilinear interpolation between the covered ones of the coarse samples, at a sample of the next finer level.
+BackSample interpolate(const BackSamples& coarse, int x, int y) {
+    const float cx = 0.5f * (static_cast<float>(x) + 0.5f) - 0.5f;
+    const float cy = 0.5f * (static_cast<float>(y) + 0.5f) - 0.5f;
+    const int x0 = static_cast<int>(std::floor(cx));
+    const int y0 = static_cast<int>(std::floor(cy));
+    BackSample result;
+    float weight = 0;
+    for (int k = 0; k < 4; ++k) {
+        const int sx = std::clamp(x0 + (k & 1), 0, coarse.width() - 1);
+        const int sy = std::clamp(y0 + (k >> 1), 0, coarse.height() - 1);
+        const BackSample& sample = coarse(sx, sy);
+        if (sample.w <= 0) continue;
+        const float kx = (k & 1) != 0 ? cx - static_cast<float>(x0) : 1 - cx + static_cast<float>(x0);
+        const float ky = (k >> 1) != 0 ? cy - static_cast<float>(y0) : 1 - cy + static_cast<float>(y0);
+        result.w += kx * ky * sample.w;
+        result.color += kx * ky * sample.color;
+        weight += kx * ky;
+    }
+    if (weight <= 0) return result;
+    result.w /= weight;
+    result.color /= weight;
+    return result;
+}
+
+/// The mirror image of a pixel's point; nullopt behind the plane, or where it would come behind the camera.
+std::optional<Vertex> mirroredVertex(const SegmentPixels& segment, const MirrorPlane& plane, Pixel pixel) {
+    const auto& [x, y] = pixel;
+    if (!segment.contains(x, y)) return std::nullopt;
+    const Vector3f& p = segment.front.position(x, y);
+    if (plane.normal.dot(p) > plane.offset) return std::nullopt;
+    const Vector3f mirrored = plane.mirrored(p);
+    if (mirrored.z() <= 1e-4f * p.z()) return std::nullopt;
+    const Vector2f uv = segment.camera.project(mirrored);
+    return Vertex{uv.x(),
+                  uv.y(),
+                  {1 / mirrored.z(), plane.mirroredDirection(segment.front.normal(x, y)), segment.front.color(x, y)}};
+}
+
+/// False if two neighbouring pixels are on either side of a discontinuity, and so not part of one surface.
+bool areConnected(const SegmentPixels& segment, Pixel a, Pixel b) {
+    const float za = segment.front.depth(a.x, a.y);
+    const float zb = segment.front.depth(b.x, b.y);
+    return std::abs(za - zb) < kMaxConnectedStep * std::min(za, zb) / std::min(segment.camera.fx, segment.camera.fy);
+}
+
+/// Draws the triangles whose topmost left pixel this is. A quad of four pixels is two of them; with three pixels it is
+/// one, so that outlines are closed.
+void drawQuad(BackSamples& image, const SegmentPixels& segment, const MirrorPlane& plane, Pixel pixel) {
+    const Pixel right{pixel.x + 1, pixel.y};
+    const Pixel below{pixel.x, pixel.y + 1};
+    const Pixel across{pixel.x + 1, pixel.y + 1};
+    const auto a = mirroredVertex(segment, plane, pixel);
+    const auto b = mirroredVertex(segment, plane, right);
+    const auto c = mirroredVertex(segment, plane, below);
+    const auto d = mirroredVertex(segment, plane, across);
+    const auto connected = [&](Pixel p, Pixel q) { return areConnected(segment, p, q); };
+    if (b && c && connected(right, below)) {
+        if (a && connected(pixel, right) && connected(pixel, below)) drawTriangle(image, segment, *a, *b, *c);
+        if (d && connected(across, right) && connected(across, below)) drawTriangle(image, segment, *d, *b, *c);
+    }
+    if (a && d && connected(pixel, across)) {
+        if (!c && b && connected(pixel, right) && connected(across, right)) drawTriangle(image, segment, *a, *b, *d);
+        if (!b && c && connected(pixel, below) && connected(across, below)) drawTriangle(image, segment, *a, *c, *d);
     }
 }
 
@@ -102,44 +146,7 @@ void pullPush(BackSamples& fine) {
 
 BackSamples drawMirrorImage(const SegmentPixels& segment, const MirrorPlane& plane) {
     BackSamples image(segment.box.width(), segment.box.height());
-    const auto vertex = [&](int x, int y) -> std::optional<Vertex> {
-        if (!segment.contains(x, y)) return std::nullopt;
-        const Vector3f& p = segment.front.position(x, y);
-        if (plane.normal.dot(p) > plane.offset) return std::nullopt;
-        const Vector3f mirrored = plane.mirrored(p);
-        if (mirrored.z() <= 1e-4f * p.z()) return std::nullopt;
-        const Vector2f uv = segment.camera.project(mirrored);
-        return Vertex{
-            uv.x(),
-            uv.y(),
-            {1 / mirrored.z(), plane.mirroredDirection(segment.front.normal(x, y)), segment.front.color(x, y)}};
-    };
-    // Pixels on either side of a discontinuity are not one surface.
-    const auto connected = [&](Pixel a, Pixel b) {
-        const float za = segment.front.depth(a.x, a.y);
-        const float zb = segment.front.depth(b.x, b.y);
-        return std::abs(za - zb) < 12 * std::min(za, zb) / std::min(segment.camera.fx, segment.camera.fy);
-    };
-    for (const auto& [x, y] : segment.pixels) {
-        const auto a = vertex(x, y);
-        const auto b = vertex(x + 1, y);
-        const auto c = vertex(x, y + 1);
-        const auto d = vertex(x + 1, y + 1);
-        if (b && c && connected({x + 1, y}, {x, y + 1})) {
-            if (a && connected({x, y}, {x + 1, y}) && connected({x, y}, {x, y + 1}))
-                drawTriangle(image, segment, *a, *b, *c);
-            if (d && connected({x + 1, y + 1}, {x + 1, y}) && connected({x + 1, y + 1}, {x, y + 1}))
-                drawTriangle(image, segment, *d, *b, *c);
-        }
-        // The triangle whose corner lies at the lower left of a quad without one at the upper left, and its like, close
-        // outlines.
-        if (a && d && connected({x, y}, {x + 1, y + 1})) {
-            if (!c && b && connected({x, y}, {x + 1, y}) && connected({x + 1, y + 1}, {x + 1, y}))
-                drawTriangle(image, segment, *a, *b, *d);
-            if (!b && c && connected({x, y}, {x, y + 1}) && connected({x + 1, y + 1}, {x, y + 1}))
-                drawTriangle(image, segment, *a, *c, *d);
-        }
-    }
+    for (const Pixel& pixel : segment.pixels) drawQuad(image, segment, plane, pixel);
     return image;
 }
 
@@ -148,6 +155,14 @@ std::size_t coveredCount(const BackSamples& samples) {
         std::ranges::count_if(samples.pixels(), [](const BackSample& s) { return s.w > 0; }));
 }
 
-void closeGaps(BackSamples& samples) { pullPush(samples); }
+void closeGaps(BackSamples& samples) {
+    if (std::ranges::all_of(samples.pixels(), [](const BackSample& s) { return s.w > 0; })) return;
+    if (samples.width() == 1 && samples.height() == 1) return;
+    BackSamples coarse = halfSize(samples);
+    closeGaps(coarse);
+    for (int y = 0; y < samples.height(); ++y)
+        for (int x = 0; x < samples.width(); ++x)
+            if (!(samples(x, y).w > 0)) samples(x, y) = interpolate(coarse, x, y);
+}
 
 }  // namespace core::analysis

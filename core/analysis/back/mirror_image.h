@@ -5,10 +5,10 @@
 
 namespace core::analysis {
 
-/// What an invented back leaves in a pixel.
+/// An invented back in one pixel.
 struct BackSample {
     float w = 0;               ///< 1/z [1/m]; 0 = not covered
-    Vector3f normal{0, 0, 0};  ///< outward, of any length; zero = to be found from the depth
+    Vector3f normal{0, 0, 0};  ///< outward, any length; zero = to be computed from the depth
     Vector3f color{0, 0, 0};
 };
 
@@ -16,14 +16,14 @@ struct BackSample {
 using BackSamples = Image<BackSample>;
 
 /// The mirror image of a segment inside its own silhouette, with normals and colours of the originals. Where several
-/// sheets of it cover a pixel the farthest stays: that is where the ray of the pixel leaves the object.
+/// sheets of it cover a pixel, the farthest is kept: that is where the ray of the pixel leaves the object.
 [[nodiscard]] BackSamples drawMirrorImage(const SegmentPixels& segment, const MirrorPlane& plane);
 
 /// Number of pixels with a sample.
 [[nodiscard]] std::size_t coveredCount(const BackSamples& samples);
 
-/// Depth and colour everywhere, the gaps closed by pull-push: averages of ever coarser neighbourhoods. Normals stay
-/// zero in the gaps.
+/// Closes the gaps in depth and colour by pull-push: averages of ever coarser neighbourhoods. Normals stay zero in the
+/// gaps.
 void closeGaps(BackSamples& samples);
 
 }  // namespace core::analysis

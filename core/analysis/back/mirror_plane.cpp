@@ -6,12 +6,29 @@
 #include <limits>
 
 #include "core/analysis/segment/principal_axes.h"
+#include "core/base/statistics.h"
 
 namespace core::analysis {
 namespace {
 
-constexpr double kSilhouetteQuantile = 0.8;
-constexpr std::size_t kTestedPoints = 20000;
+/// Quantile of the outline's depth at which a parallel mirror plane lies.
+constexpr double kOutlineQuantile = 0.8;
+/// Maximum number of points about (within a factor of two) that a plane is tested with.
+constexpr std::size_t kMaxTestedPoints = 20000;
+/// Bisections of the plane's offset.
+constexpr int kBisections = 24;
+
+/// True if the mirror image of a point projects into the segment's silhouette or behind a nearer object.
+bool staysInside(const SegmentPixels& segment, const Vector3f& point, const Vector3f& mirrored) {
+    if (!(mirrored.z() > 0)) return false;
+    const Vector2f uv = segment.camera.project(mirrored);
+    const auto x = static_cast<int>(std::floor(std::clamp(uv.x(), -1.0f, 1e6f)));
+    const auto y = static_cast<int>(std::floor(std::clamp(uv.y(), -1.0f, 1e6f)));
+    if (!segment.labels.contains(x, y)) return false;
+    const std::uint16_t there = segment.labels(x, y);
+    const float z = segment.front.depth(x, y);
+    return there == segment.label || (there != 0 && !segment.supports[there] && z > 0 && z < point.z());
+}
 
 }  // namespace
 
@@ -27,29 +44,15 @@ std::optional<Vector3f> mirrorAxis(std::span<const Vector3f> points) {
 }
 
 MirrorErrors mirrorErrors(const SegmentPixels& segment, const MirrorPlane& plane) {
-    const std::size_t stride = segment.pixels.size() / kTestedPoints + 1;
+    const std::size_t stride = segment.pixels.size() / kMaxTestedPoints + 1;
     std::size_t count = 0, behind = 0, outside = 0;
     for (std::size_t i = 0; i < segment.pixels.size(); i += stride) {
         const Vector3f& p = segment.front.position(segment.pixels[i].x, segment.pixels[i].y);
         ++count;
-        if (plane.normal.dot(p) > plane.offset) {
+        if (plane.normal.dot(p) > plane.offset)
             ++behind;
-            continue;
-        }
-        const Vector3f mirrored = plane.mirrored(p);
-        bool inside = false;
-        if (mirrored.z() > 0) {
-            const Vector2f uv = segment.camera.project(mirrored);
-            const auto x = static_cast<int>(std::floor(std::clamp(uv.x(), -1.0f, 1e6f)));
-            const auto y = static_cast<int>(std::floor(std::clamp(uv.y(), -1.0f, 1e6f)));
-            if (segment.labels.contains(x, y)) {
-                const std::uint16_t there = segment.labels(x, y);
-                const float z = segment.front.depth(x, y);
-                const bool hidden = there != 0 && !segment.supports[there] && z > 0 && z < p.z();
-                inside = there == segment.label || hidden;
-            }
-        }
-        if (!inside) ++outside;
+        else if (!staysInside(segment, p, plane.mirrored(p)))
+            ++outside;
     }
     const auto total = static_cast<float>(count);
     return {static_cast<float>(behind) / total, static_cast<float>(outside) / total};
@@ -67,7 +70,7 @@ MirrorPlane fitMirrorPlane(const SegmentPixels& segment, const Vector3f& axis) {
     float low = nearest;
     float high = farthest;
     float offset = farthest;
-    for (int iteration = 0; iteration < 24; ++iteration) {
+    for (int iteration = 0; iteration < kBisections; ++iteration) {
         const auto [behind, outside] = mirrorErrors(segment, {axis, offset, 0});
         if (const float error = std::max(behind, outside); error < best.error) best = {axis, offset, error};
         if (behind < outside) {
@@ -91,12 +94,10 @@ MirrorPlane parallelMirrorPlane(const SegmentPixels& segment) {
         });
         if (edge) outline.push_back(segment.front.depth(x, y));
     }
-    // Surrounded by pixels of its own without depth.
+    // An outline without depth leaves the whole segment.
     if (outline.empty())
         for (const auto& [x, y] : segment.pixels) outline.push_back(segment.front.depth(x, y));
-    const auto rank = static_cast<std::ptrdiff_t>(kSilhouetteQuantile * static_cast<double>(outline.size() - 1));
-    std::nth_element(outline.begin(), outline.begin() + rank, outline.end());
-    MirrorPlane plane{{0, 0, 1}, outline[static_cast<std::size_t>(rank)], 0};
+    MirrorPlane plane{{0, 0, 1}, quantile(outline, kOutlineQuantile), 0};
     const auto [behind, outside] = mirrorErrors(segment, plane);
     plane.error = std::max(behind, outside);
     return plane;

@@ -23,21 +23,21 @@ struct MirrorPlane {
 /// points or points on one line.
 [[nodiscard]] std::optional<Vector3f> mirrorAxis(std::span<const Vector3f> points);
 
-/// E = max(C, O) of a plane: C = fraction of the points behind it, O = fraction of the mirror images of the others that
-/// project outside the segment's silhouette. An image that falls behind another thing, one nearer than the original
-/// point and no support, is not seen and does not count as outside.
+/// The two parts of E = max(C, O) of a plane.
 struct MirrorErrors {
-    float behind = 0;   ///< C
-    float outside = 0;  ///< O
+    float behind = 0;  ///< C: share of the points behind the plane, [0, 1]
+    /// O: share of the points whose mirror images project outside the segment's silhouette, [0, 1]. Images behind
+    /// another object (nearer than the original point, and no support) are invisible and do not count as outside.
+    float outside = 0;
 };
 [[nodiscard]] MirrorErrors mirrorErrors(const SegmentPixels& segment, const MirrorPlane& plane);
 
-/// Moves the plane along `axis`, from the farthest point towards the nearest, by bisection to where E = max(C, O) is
-/// least: C falls with the offset, O rises with it.
+/// Moves the plane along `axis` to where E = max(C, O) is minimal, by bisection between the nearest and the farthest
+/// point: C falls with the offset, O rises with it.
 [[nodiscard]] MirrorPlane fitMirrorPlane(const SegmentPixels& segment, const Vector3f& axis);
 
-/// The plane z = the 80th percentile of the depth along the segment's outline, where its visible half ends: the
-/// farthest point would double the depth of a box, the median cuts a sphere short.
+/// The plane z = the 80th percentile of the depth along the segment's outline, where its visible half ends. The
+/// farthest point would double the depth of a box, the median would cut a sphere short.
 [[nodiscard]] MirrorPlane parallelMirrorPlane(const SegmentPixels& segment);
 
 }  // namespace core::analysis

@@ -6,23 +6,28 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "core/analysis/depth/membrane.h"
+#include "core/base/statistics.h"
 
 namespace core::analysis {
 namespace {
 
-/// Steepest angle [cosine to the view] at which the front still counts as turning away at the outline: it goes on like
-/// a circle there, z ∝ √distance, between the last pixel centre and the outline. Flat faces end where they end.
+/// Maximum cosine between normal and view at which the front counts as turning away at the outline. There it continues
+/// like a circle, z ∝ √distance, between the last pixel centre and the outline. Flat faces end at the pixel.
 constexpr float kTurningAway = 0.5f;
-/// √0.5 / (√2.5 − √0.5): carries the difference of two pixels, 0.5 and 2.5 pixels inside, to the outline.
+/// √0.5 / (√2.5 − √0.5): extrapolates the difference of two pixels, 0.5 and 2.5 pixels inside, to the outline.
 constexpr float kToOutline = 0.81f;
-constexpr float kLargestStep = 20;     ///< [pixel widths] between those two: more is a discontinuity
-constexpr float kFarthestBack = 0.2f;  ///< back no farther than this part of the front's inverse depth
-/// How far above its support an object still rounds off to where it stands, in its thickness: by two fifths of its own
-/// radius.
+/// Maximum depth difference [pixel widths] of those two; more is a discontinuity.
+constexpr float kMaxStep = 20;
+/// Minimum inverse depth of the back, relative to that of the front.
+constexpr float kMinBackRatio = 0.2f;
+/// Height above the support up to which an object rounds off to its foot, relative to its thickness: two fifths of its
+/// own radius.
 constexpr float kRoundedOff = 0.2f;
-constexpr double kBoundWeight = 0.03;  ///< of a bound in the plane, beside one of what is fixed
+/// Weight of a bound in the fit of the plane, relative to a fixed cell.
+constexpr double kBoundWeight = 0.03;
 
 using Cell = MembraneCell;
 using Kind = MembraneCell::Kind;
@@ -41,13 +46,24 @@ float outlineInverseDepth(const SegmentPixels& segment, Pixel pixel, Pixel step)
     const int iy = y - 2 * step.y;
     if (!turnsAway(segment, pixel) || !segment.contains(ix, iy)) return 1 / z;
     const float fall = z - segment.front.depth(ix, iy);
-    if (fall <= 0 || fall > kLargestStep * segment.footprint(z)) return 1 / z;
+    if (fall <= 0 || fall > kMaxStep * segment.footprint(z)) return 1 / z;
     return 1 / (z + kToOutline * fall);
 }
 
-/// Plane w = a + b·u + c·v through the fixed cells, with two rounds of less weight for those far off; bounds decide
-/// what those leave open, as when all lie on a line.
-Eigen::Vector3d fitPlane(const Image<Cell>& cells) {
+/// Distances of the fixed cells from a plane.
+std::vector<double> planeResiduals(const Image<Cell>& cells, const Eigen::Vector3d& plane) {
+    std::vector<double> residuals;
+    for (int y = 0; y < cells.height(); ++y)
+        for (int x = 0; x < cells.width(); ++x)
+            if (cells(x, y).kind == Kind::Fixed)
+                residuals.push_back(
+                    std::abs(static_cast<double>(cells(x, y).value) - plane.dot(Eigen::Vector3d(1, x, y))));
+    return residuals;
+}
+
+/// Plane w = a + b·u + c·v through the fixed cells, with two rounds of lower weights for outliers. Bounds determine
+/// what the fixed cells leave open, for instance if all of them lie on a line.
+Eigen::Vector3d fitCellPlane(const Image<Cell>& cells) {
     Eigen::Vector3d plane = Eigen::Vector3d::Zero();
     double scale = std::numeric_limits<double>::infinity();
     for (int round = 0; round < 3; ++round) {
@@ -71,31 +87,23 @@ Eigen::Vector3d fitPlane(const Image<Cell>& cells) {
         normal(1, 1) += stiffness;
         normal(2, 2) += stiffness;
         plane = normal.ldlt().solve(right);
-        std::vector<double> offsets;
-        for (int y = 0; y < cells.height(); ++y)
-            for (int x = 0; x < cells.width(); ++x)
-                if (cells(x, y).kind == Kind::Fixed)
-                    offsets.push_back(
-                        std::abs(static_cast<double>(cells(x, y).value) - plane.dot(Eigen::Vector3d(1, x, y))));
-        const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
-        std::nth_element(offsets.begin(), middle, offsets.end());
-        scale = std::max(2 * *middle, 1e-9);
+        scale = std::max(2 * median(planeResiduals(cells, plane)), 1e-9);
     }
     return plane;
 }
 
 /// The cells of the segment's box: fixed at the inverse depth of the outline where the object is known to end, bounded
 /// by that of its last pixel where it meets its support facing the camera.
-struct Rim {
+struct OutlineCells {
     Image<Cell> cells;
     std::size_t known = 0, unknown = 0;  ///< outline pixels
 };
 
-Rim findRim(const SegmentPixels& segment) {
+OutlineCells findOutline(const SegmentPixels& segment) {
     const PixelBox& box = segment.box;
-    Rim rim{Image<Cell>(box.width(), box.height())};
+    OutlineCells outline{Image<Cell>(box.width(), box.height())};
     for (const Pixel& pixel : segment.pixels) {
-        Cell& cell = rim.cells(pixel.x - box.x0, pixel.y - box.y0);
+        Cell& cell = outline.cells(pixel.x - box.x0, pixel.y - box.y0);
         cell.kind = Kind::Free;
         float sum = 0;
         int count = 0;
@@ -112,18 +120,18 @@ Rim findRim(const SegmentPixels& segment) {
             sum += outlineInverseDepth(segment, pixel, step);
             ++count;
         }
-        if (hidden) ++rim.unknown;
+        if (hidden) ++outline.unknown;
         if (hidden || count == 0) continue;
         cell.value = sum / static_cast<float>(count);
         cell.kind = Kind::Fixed;
-        ++rim.known;
+        ++outline.known;
     }
-    return rim;
+    return outline;
 }
 
 /// The inverse depth of the surface spanned into the fixed cells.
 ImageF spanSurface(Image<Cell> cells, const Progress& progress) {
-    const Eigen::Vector3d plane = fitPlane(cells);
+    const Eigen::Vector3d plane = fitCellPlane(cells);
     const auto planeAt = [&](int x, int y) { return static_cast<float>(plane.dot(Eigen::Vector3d(1, x, y))); };
     for (int y = 0; y < cells.height(); ++y) {
         for (int x = 0; x < cells.width(); ++x) {
@@ -140,7 +148,7 @@ ImageF spanSurface(Image<Cell> cells, const Progress& progress) {
 }
 
 /// Inverse depth of the back of a pixel from that of mirror and front.
-float mirroredAt(float mirror, float front) { return std::max(2 * mirror - front, kFarthestBack * front); }
+float mirroredAt(float mirror, float front) { return std::max(2 * mirror - front, kMinBackRatio * front); }
 
 /// Median thickness [m] down to the support.
 float medianThickness(const SegmentPixels& segment, const ImageF& mirror, const SupportPlane& support) {
@@ -151,13 +159,11 @@ float medianThickness(const SegmentPixels& segment, const ImageF& mirror, const 
         const float back = 1 / mirroredAt(mirror(x - segment.box.x0, y - segment.box.y0), 1 / z);
         thickness.push_back(std::min(back, support.depthAlong(segment.camera.pixelRay(x, y))) - z);
     }
-    const auto middle = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
-    std::nth_element(thickness.begin(), middle, thickness.end());
-    return *middle;
+    return median(thickness);
 }
 
-/// Frees the cells less than `height` [m] above the support, bounded by what they were fixed at. Returns how many
-/// remain fixed.
+/// Frees the cells less than `height` [m] above the support; their fixed values become bounds. Returns the number of
+/// cells that remain fixed.
 std::size_t freeNearSupport(const SegmentPixels& segment, const SupportPlane& support, float height,
                             Image<Cell>& cells) {
     std::size_t fixed = 0;
@@ -172,26 +178,28 @@ std::size_t freeNearSupport(const SegmentPixels& segment, const SupportPlane& su
     return fixed;
 }
 
+/// Frees the foot of the segment and spans the surface again, if that leaves part of the outline fixed.
+void spanAboveFoot(const SegmentPixels& segment, const SupportPlane& support, OutlineCells& outline, ImageF& mirrors,
+                   const Progress& progress) {
+    const float height = kRoundedOff * medianThickness(segment, mirrors, support);
+    Image<Cell> freed = outline.cells;
+    const std::size_t held = freeNearSupport(segment, support, height, freed);
+    if (held == 0 || held == outline.known) return;
+    outline.cells = std::move(freed);
+    mirrors = spanSurface(outline.cells, progress);
+}
+
 }  // namespace
 
 SpannedMirror mirrorAtSpannedSurface(const SegmentPixels& segment, const std::optional<SupportPlane>& support,
                                      float shift, const Progress& progress) {
     const PixelBox& box = segment.box;
-    Rim rim = findRim(segment);
+    OutlineCells outline = findOutline(segment);
     SpannedMirror result;
-    if (rim.known == 0) return result;
-    result.outline = static_cast<float>(rim.known) / static_cast<float>(rim.known + rim.unknown);
-
-    ImageF mirrors = spanSurface(rim.cells, progress);
-    if (support) {
-        const float height = kRoundedOff * medianThickness(segment, mirrors, *support);
-        Image<Cell> freed = rim.cells;
-        const std::size_t held = freeNearSupport(segment, *support, height, freed);
-        if (held > 0 && held < rim.known) {
-            rim.cells = std::move(freed);
-            mirrors = spanSurface(rim.cells, progress);
-        }
-    }
+    if (outline.known == 0) return result;
+    result.outline = static_cast<float>(outline.known) / static_cast<float>(outline.known + outline.unknown);
+    ImageF mirrors = spanSurface(outline.cells, progress.part(0, support ? 0.5f : 1.0f));
+    if (support) spanAboveFoot(segment, *support, outline, mirrors, progress.part(0.5f, 1));
 
     result.samples = BackSamples(box.width(), box.height());
     std::size_t behind = 0;
@@ -200,8 +208,8 @@ SpannedMirror mirrorAtSpannedSurface(const SegmentPixels& segment, const std::op
         const int y = py - box.y0;
         const float front = 1 / segment.front.depth(px, py);
         float mirror = mirrors(x, y);
-        if (shift != 0) mirror = 1 / std::max(1 / std::max(mirror, kFarthestBack * front) + shift, 1e-4f);
-        const Cell& cell = rim.cells(x, y);
+        if (shift != 0) mirror = 1 / std::max(1 / std::max(mirror, kMinBackRatio * front) + shift, 1e-4f);
+        const Cell& cell = outline.cells(x, y);
         if (cell.kind == Kind::Free && !std::isfinite(cell.most) && mirror > front) ++behind;
         result.samples(x, y) = {mirroredAt(mirror, front), Vector3f::Zero(), segment.front.color(px, py)};
     }

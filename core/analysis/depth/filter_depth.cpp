@@ -15,6 +15,7 @@
 #include "core/analysis/kernels.h"
 #include "core/analysis/segment/segment_pixels.h"
 #include "core/base/parallel.h"
+#include "shaders/shared/depth_filter_block.h"
 
 namespace core::analysis {
 namespace {
@@ -47,7 +48,6 @@ FilterPass makePass(int step, float sigma, const NoiseCurve& range, float colorF
 /// Weight of a squared residual of depth in units of its range, after Geman and McClure: falls with the fourth power,
 /// so that a lone outlier is drawn back to its surface and one surface does not feel another.
 float robustWeight(float squared) { return 1 / ((1 + squared) * (1 + squared)); }
-constexpr float kFarthest = 64;  ///< squared residual beyond which a pair is of another surface
 
 /// Tukey's biweight of a squared difference in units of its limit: 1 at 0, 0 from 1 on. Close to a Gaussian whose σ is
 /// `kLimit` times smaller than the limit, without its exponential.
@@ -91,7 +91,7 @@ struct PassOverImage {
             const float wb = values[-a];
             const float residual = 0.5f * (wa + wb) - w;
             const float squared = residual * residual * factor;
-            if (squared >= kFarthest || wa <= 0 || wb <= 0 || segments[a] != label || segments[-a] != label) continue;
+            if (squared >= kernel::kMaxSquaredResidual || wa <= 0 || wb <= 0 || segments[a] != label || segments[-a] != label) continue;
             const float k =
                 pair.weight * robustWeight(squared) *
                 biweight((squaredDistance(colors[a], center) + squaredDistance(colors[-a], center)) * pass.colorFactor);
@@ -382,9 +382,8 @@ Step filterDepthStep() {
     step.reads = {Item::Photo};
     step.writes = Item::Depth;
     step.params = [](const Scene& scene, Hash& hash) {
-        const DepthFilterParams& p = scene.depthFilter;
-        hash.add(p.enabled).add(p.automatic).add(p.spatialSigma).add(p.colorSigma).add(p.depthSigma).add(p.holeRadius);
-        for (const Segment& segment : scene.segments) hash.add(segment.label).add(segment.smoothing.value_or(-1.0f));
+        addParams(hash, Stage::Geometry, scene);
+        for (const Segment& segment : scene.segments) addParams(hash.add(segment.label), Stage::Geometry, segment);
     };
     step.run = [](Board& board, const StepContext& context) {
         const Photo& photo = *board.scene->photo;

@@ -9,31 +9,26 @@
 #include "core/analysis/depth/repair_normals.h"
 #include "core/analysis/kernels.h"
 #include "core/base/parallel.h"
+#include "shaders/shared/fit_surface_block.h"
 
 namespace core::analysis {
 namespace {
-
-constexpr float kMinViewCosine = 0.02f;
-constexpr float kContourJump = 6;  ///< step over an occluding contour over the one before it
-constexpr float kNothing = 1e9f;   ///< inverse depth [1/m] that is on no plane
 
 /// Slope at the last pixel before an occluding contour, from the steps to its first three neighbours inside. A smooth
 /// surface ends there like sqrt(d) of the distance d to the contour, which the first two steps give away: their ratio
 /// is 0.41 at the contour and 1 far from it. The third must follow, else there is no such contour.
 std::optional<float> contourSlope(float first, float second, float third) {
-    constexpr float kMinDistance = 0.02f;  // [px]: the slope is infinite on the contour
-    constexpr float kAgreement = 0.05f;
-    constexpr float kStraight = 0.95f;
     const float ratio = second / first;
-    if (!(ratio > 0) || !(ratio < kStraight)) return std::nullopt;
-    float low = kMinDistance;
-    float high = 100;
+    if (!(ratio > 0) || !(ratio < kernel::kMaxContourRatio)) return std::nullopt;
+    float low = kernel::kMinContourDistance;
+    float high = kernel::kMaxContourDistance;
     const auto step = [](float d) { return 1 / (std::sqrt(d + 1) + std::sqrt(d)); };  // sqrt(d+1) − sqrt(d)
-    for (int i = 0; i < 16; ++i) {
+    for (int i = 0; i < kernel::kContourBisections; ++i) {
         const float d = std::sqrt(low * high);
         (step(d + 1) < ratio * step(d) ? low : high) = d;
     }
-    if (std::abs(third - first * step(low + 2) / step(low)) > kAgreement * std::abs(first)) return std::nullopt;
+    if (std::abs(third - first * step(low + 2) / step(low)) > kernel::kContourTolerance * std::abs(first))
+        return std::nullopt;
     return first * 0.5f * (1 + std::sqrt(1 + 1 / low));
 }
 
@@ -68,8 +63,8 @@ struct NormalFit {
         const float floor = w * (2 * relativeNoise + 1e-7f);
         const float errorBefore = floor + std::abs(before2 > 0 ? w - 2 * before + before2 : w - before);
         const float errorAfter = floor + std::abs(after2 > 0 ? w - 2 * after + after2 : w - after);
-        if (errorBefore > 6 * errorAfter) return after - w;
-        if (errorAfter > 6 * errorBefore) return w - before;
+        if (errorBefore > kernel::kMaxSideRatio * errorAfter) return after - w;
+        if (errorAfter > kernel::kMaxSideRatio * errorBefore) return w - before;
         return 0.5f * (after - before);
     }
 
@@ -82,7 +77,7 @@ struct NormalFit {
             const float two = inverseDepth(x + 2 * inside * dx, y + 2 * inside * dy, label);
             const float three = inverseDepth(x + 3 * inside * dx, y + 3 * inside * dy, label);
             if (one <= 0 || two <= 0 || three <= 0 || one <= w) continue;
-            if (outer > 0 && std::abs(w - outer) < kContourJump * (one - w)) continue;
+            if (outer > 0 && std::abs(w - outer) < kernel::kContourJump * (one - w)) continue;
             const auto slope = contourSlope(one - w, two - one, three - two);
             if (slope) return static_cast<float>(inside) * *slope;
         }
@@ -99,7 +94,7 @@ struct NormalFit {
         float difference[kMaxTaps];
         for (std::size_t i = 0; i < taps.size(); ++i) {
             const float value = inverseDepth(x + taps[i].dx, y + taps[i].dy, label);
-            difference[i] = value > 0 ? value - w : kNothing;
+            difference[i] = value > 0 ? value - w : kernel::kNothing;
         }
         const float inverseW = 1 / w;
         for (int iteration = 0; iteration < 2; ++iteration) {
@@ -124,7 +119,7 @@ struct NormalFit {
             }
             if (s <= 0) break;
             // About the mean; a thin line of pixels says nothing about the slope across it: keep the guess there.
-            const float regularization = 1e-4f * s;
+            const float regularization = kernel::kSlopeStiffness * s;
             const float cuu = suu - su * su / s + regularization;
             const float cuv = suv - su * sv / s;
             const float cvv = svv - sv * sv / s + regularization;
@@ -170,7 +165,7 @@ std::vector<NormalTap> normalTaps(const Camera& camera, float relativeNoise) {
 
 float patchArea(const Camera& camera, const Vector3f& position, const Vector3f& normal) {
     const float z = position.z();
-    const float cosine = std::max(std::abs(normal.dot(position)), kMinViewCosine * position.norm());
+    const float cosine = std::max(std::abs(normal.dot(position)), kernel::kMinViewCosine * position.norm());
     return cosine > 0 ? z * z * z / (camera.fx * camera.fy * cosine) : 0.0f;
 }
 

@@ -5,25 +5,35 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
 
-#include "core/analysis/light/reflectance.h"
+#include "core/analysis/light/mirror_rays.h"
 #include "core/base/color.h"
+#include "core/base/statistics.h"
 
 namespace core::analysis {
 namespace {
 
 constexpr std::size_t kMaxShadedPixels = 60000;
 constexpr int kMaxIterations = 20;
-constexpr float kMeanReflectance = 0.18f;  // what light meters are calibrated to
-constexpr float kLargestReflectance = 0.8f;
+/// Mean reflectance that light meters are calibrated to.
+constexpr float kMeanReflectance = 0.18f;
+constexpr float kMaxReflectance = 0.8f;
+/// Quantile of luminance that has at most `kMaxReflectance`.
 constexpr double kBrightQuantile = 0.99;
-constexpr float kMaxGradient = 1.2f;         // |v|
-constexpr float kOutlier = 0.25f;            // of log luminance
-constexpr float kPriorWeight = 0.002f;       // of the prior against one pixel
-const Vector3f kPriorGradient{0, -0.4f, 0};  // from above
-constexpr float kSmallestIrradiance = 0.1f;  // of the mean one; keeps the logarithm finite
+/// Maximum length of v.
+constexpr float kMaxGradient = 1.2f;
+/// Residual of log luminance beyond which a pixel is an outlier (Huber).
+constexpr float kOutlier = 0.25f;
+/// Weight of the prior relative to one pixel.
+constexpr float kPriorWeight = 0.002f;
+/// Light from above.
+const Vector3f kPriorGradient{0, -0.4f, 0};
+/// Minimum irradiance relative to the mean; keeps the logarithm finite.
+constexpr float kMinIrradiance = 0.1f;
 
+/// A pixel the gradient is fitted to.
 struct ShadedPixel {
     Vector3f normal;
     float logLuminance;
@@ -31,7 +41,7 @@ struct ShadedPixel {
 };
 
 float irradiance(const Vector3f& gradient, const Vector3f& normal) {
-    return std::max(1 + gradient.dot(normal), kSmallestIrradiance);
+    return std::max(1 + gradient.dot(normal), kMinIrradiance);
 }
 
 Vector3f clampedGradient(const Vector3f& gradient) {
@@ -39,44 +49,60 @@ Vector3f clampedGradient(const Vector3f& gradient) {
     return length > kMaxGradient ? Vector3f(kMaxGradient / length * gradient) : gradient;
 }
 
+/// Weighted means over the pixels of one segment.
+struct SegmentMean {
+    double weight = 0;
+    double residual = 0;                              ///< log luminance over irradiance: logarithm of the albedo
+    Eigen::Vector3d slope = Eigen::Vector3d::Zero();  ///< derivative of log irradiance by v
+};
+using SegmentMeans = std::map<std::uint16_t, SegmentMean>;
+
+double residualOf(const ShadedPixel& pixel, float irradiance) {
+    return static_cast<double>(pixel.logLuminance - std::log(irradiance));
+}
+
+double huberWeight(double residual) {
+    const double off = std::abs(residual);
+    return off > kOutlier ? kOutlier / off : 1;
+}
+
+/// Albedo and mean slope of every segment. Huber's weights need the residuals and these the albedos, hence two rounds.
+SegmentMeans segmentMeans(const std::vector<ShadedPixel>& pixels, const Vector3f& gradient) {
+    SegmentMeans means;
+    for (int round = 0; round < 2; ++round) {
+        SegmentMeans next;
+        for (const ShadedPixel& pixel : pixels) {
+            const float e = irradiance(gradient, pixel.normal);
+            const double residual = residualOf(pixel, e);
+            const double weight = round == 0 ? 1 : huberWeight(residual - means[pixel.label].residual);
+            SegmentMean& mean = next[pixel.label];
+            mean.weight += weight;
+            mean.residual += weight * residual;
+            mean.slope += weight * (pixel.normal / e).cast<double>();
+        }
+        for (auto& [label, mean] : next) {
+            mean.residual /= mean.weight;
+            mean.slope /= mean.weight;
+        }
+        means = std::move(next);
+    }
+    return means;
+}
+
 /// v of E(n) ∝ 1 + v·n: Gauss-Newton with Huber's weights, the albedos eliminated as means per segment.
 Vector3f fitGradient(const std::vector<ShadedPixel>& pixels) {
     Vector3f gradient = kPriorGradient;
     if (pixels.empty()) return gradient;
     for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
-        struct Mean {
-            double weight = 0, residual = 0;
-            Eigen::Vector3d slope = Eigen::Vector3d::Zero();
-        };
-        std::map<std::uint16_t, Mean> means;
-        std::map<std::uint16_t, double> albedo;  // logarithm
-        // Huber's weights need the residuals, those the albedos: two rounds.
-        for (int round = 0; round < 2; ++round) {
-            means.clear();
-            for (const ShadedPixel& pixel : pixels) {
-                const float e = irradiance(gradient, pixel.normal);
-                const double residual = static_cast<double>(pixel.logLuminance - std::log(e));
-                const double off = round == 0 ? 0 : std::abs(residual - albedo[pixel.label]);
-                const double weight = off > kOutlier ? kOutlier / off : 1;
-                Mean& mean = means[pixel.label];
-                mean.weight += weight;
-                mean.residual += weight * residual;
-                mean.slope += weight * (pixel.normal / e).cast<double>();
-            }
-            for (auto& [label, mean] : means) {
-                mean.residual /= mean.weight;
-                mean.slope /= mean.weight;
-                albedo[label] = mean.residual;
-            }
-        }
+        SegmentMeans means = segmentMeans(pixels, gradient);
         const double prior = static_cast<double>(kPriorWeight) * static_cast<double>(pixels.size());
         Eigen::Matrix3d matrix = prior * Eigen::Matrix3d::Identity();
         Eigen::Vector3d vector = prior * (kPriorGradient - gradient).cast<double>();
         for (const ShadedPixel& pixel : pixels) {
             const float e = irradiance(gradient, pixel.normal);
-            const Mean& mean = means[pixel.label];
-            const double residual = static_cast<double>(pixel.logLuminance - std::log(e)) - mean.residual;
-            const double weight = std::abs(residual) > kOutlier ? kOutlier / std::abs(residual) : 1;
+            const SegmentMean& mean = means[pixel.label];
+            const double residual = residualOf(pixel, e) - mean.residual;
+            const double weight = huberWeight(residual);
             const Eigen::Vector3d slope = (pixel.normal / e).cast<double>() - mean.slope;
             matrix += weight * slope * slope.transpose();
             vector += weight * residual * slope;
@@ -101,6 +127,42 @@ float concentrationOf(float m) {
     return 0.5f * (low + high);
 }
 
+/// Statistics of all pixels with depth.
+struct Brightness {
+    std::vector<float> luminances;
+    double sum = 0;                                     ///< of the luminances
+    Eigen::Vector3d normals = Eigen::Vector3d::Zero();  ///< sum of the normals
+    std::vector<std::size_t> shaded;                    ///< labelled pixels with light, by index
+};
+
+Brightness measureBrightness(const Photo& photo, const Surface& front) {
+    Brightness result;
+    for (std::size_t i = 0; i < photo.color.size(); ++i) {
+        const float y = luminance(photo.color[i]);
+        if (!(front.depth[i] > 0) || !std::isfinite(y)) continue;
+        result.luminances.push_back(std::max(y, 0.0f));
+        result.sum += static_cast<double>(result.luminances.back());
+        result.normals += front.normal[i].cast<double>();
+        if (photo.labels[i] != 0 && y > 0) result.shaded.push_back(i);
+    }
+    return result;
+}
+
+/// At most about `kMaxShadedPixels`, without clipped ones and outlines.
+std::vector<ShadedPixel> shadedPixels(const Photo& photo, const Surface& front,
+                                      const std::vector<std::size_t>& candidates) {
+    std::vector<ShadedPixel> pixels;
+    const std::size_t stride = candidates.size() / kMaxShadedPixels + 1;
+    for (std::size_t k = 0; k < candidates.size(); k += stride) {
+        const std::size_t i = candidates[k];
+        const int x = static_cast<int>(i) % photo.color.width();
+        const int y = static_cast<int>(i) / photo.color.width();
+        if (clippedChannels(photo, x, y) != 0 || !isInterior(photo.labels, front.depth, x, y)) continue;
+        pixels.push_back({front.normal[i], std::log(luminance(photo.color[i])), photo.labels[i]});
+    }
+    return pixels;
+}
+
 }  // namespace
 
 float ShadingLight::radiance(const Vector3f& d) const {
@@ -111,42 +173,22 @@ float ShadingLight::radiance(const Vector3f& d) const {
 
 ShadingLight lightFromShading(const Photo& photo, const Surface& front, const Progress& progress) {
     progress.checkpoint(0);
-    std::vector<float> luminances;
-    std::vector<std::size_t> shaded;
-    Eigen::Vector3d meanNormal = Eigen::Vector3d::Zero();
-    double sum = 0;
-    for (std::size_t i = 0; i < photo.color.size(); ++i) {
-        const float y = luminance(photo.color[i]);
-        if (!(front.depth[i] > 0) || !std::isfinite(y)) continue;
-        luminances.push_back(std::max(y, 0.0f));
-        sum += static_cast<double>(luminances.back());
-        meanNormal += front.normal[i].cast<double>();
-        if (photo.labels[i] != 0 && y > 0) shaded.push_back(i);
-    }
+    Brightness brightness = measureBrightness(photo, front);
     ShadingLight light;
-    if (luminances.empty() || !(sum > 0)) return light;
+    if (brightness.luminances.empty() || !(brightness.sum > 0)) return light;
 
-    std::vector<ShadedPixel> pixels;
-    const std::size_t stride = shaded.size() / kMaxShadedPixels + 1;
-    for (std::size_t k = 0; k < shaded.size(); k += stride) {
-        const std::size_t i = shaded[k];
-        const int x = static_cast<int>(i) % photo.color.width();
-        const int y = static_cast<int>(i) / photo.color.width();
-        if (clippedChannels(photo, x, y) != 0 || !isInterior(photo.labels, front.depth, x, y)) continue;
-        pixels.push_back({front.normal[i], std::log(luminance(photo.color[i])), photo.labels[i]});
-    }
-    progress.checkpoint(0);
+    const std::vector<ShadedPixel> pixels = shadedPixels(photo, front, brightness.shaded);
+    progress.checkpoint(0.5f);
     const Vector3f gradient = fitGradient(pixels);
     const float length = gradient.norm();
     if (length > 1e-4f) light.axis = gradient / length;
     light.concentration = concentrationOf(0.5f * length);
 
-    const auto bright =
-        luminances.begin() + static_cast<std::ptrdiff_t>(kBrightQuantile * static_cast<double>(luminances.size() - 1));
-    std::ranges::nth_element(luminances, bright);
-    const auto average = static_cast<float>(sum / static_cast<double>(luminances.size()));
-    const Vector3f facing = (meanNormal / static_cast<double>(luminances.size())).cast<float>();
-    light.mean = std::min(average / kMeanReflectance, *bright / kLargestReflectance) / irradiance(gradient, facing);
+    const auto count = static_cast<double>(brightness.luminances.size());
+    const auto average = static_cast<float>(brightness.sum / count);
+    const float bright = quantile(brightness.luminances, kBrightQuantile);
+    const Vector3f facing = (brightness.normals / count).cast<float>();
+    light.mean = std::min(average / kMeanReflectance, bright / kMaxReflectance) / irradiance(gradient, facing);
     return light;
 }
 

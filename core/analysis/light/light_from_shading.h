@@ -6,7 +6,7 @@
 
 namespace core::analysis {
 
-/// A broad light as far as shading tells it: radiance L(d) = mean·κ/sinh κ·exp(κ a·d), without colour.
+/// A broad light estimated from the shading: radiance L(d) = mean·κ/sinh κ·exp(κ a·d), without colour.
 struct ShadingLight {
     Vector3f axis{0, -1, 0};  ///< unit, towards the light, camera frame
     float concentration = 0;  ///< κ ≥ 0; 0 = the same from everywhere
@@ -16,12 +16,12 @@ struct ShadingLight {
     [[nodiscard]] float radiance(const Vector3f& d) const;
 };
 
-/// The light when nothing in the photograph mirrors it. Pixels of one segment are taken to differ by their irradiance
-/// E(n)/π = mean·(1 + v·n) and by texture, so v is fitted to log luminance with an unknown albedo per segment (robust;
-/// drawn weakly towards a light from above, which is all that is left when no segment is curved). Brightness: the
-/// surfaces in a photograph reflect 18 % on the average, as cameras meter it, and none more than 80 %. White, because
-/// photographs are white balanced. 1 from everywhere when
-/// there is no light or no depth in it.
+/// The light where nothing in the photograph mirrors it. Pixels of one segment are taken to differ by their irradiance
+/// E(n)/π = mean·(1 + v·n) and by texture, so v is fitted to log luminance with an unknown albedo per segment. The fit
+/// is robust, and drawn weakly towards a light from above, which is all that is left when no segment is curved.
+/// Brightness: the surfaces in a photograph reflect 18 % on average, as cameras meter it, and none reflects more than
+/// 80 %. The light is white, because photographs are white balanced. Radiance 1 from everywhere when the photograph has
+/// no light or no depth.
 [[nodiscard]] ShadingLight lightFromShading(const Photo& photo, const Surface& front, const Progress& progress);
 
 }  // namespace core::analysis

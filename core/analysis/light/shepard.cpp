@@ -77,7 +77,7 @@ void DirectionTree::gather(int level, int x, int y, const Vector3f& direction, V
     const DirectionNode& node = levels_[static_cast<std::size_t>(level)](x, y);
     const float distance = angleBetween(direction, node.direction);
     if (level == 0 || node.radius < kOpening * distance) {
-        const float k = 1 / std::max(distance * distance * distance, kLeastCube);
+        const float k = 1 / std::max(distance * distance * distance, kMinCube);
         sum += k * node.radiance;
         weight += k * node.weight;
         return;
