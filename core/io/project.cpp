@@ -26,6 +26,7 @@ constexpr int kVersion = 1;
 /// Share of the time to load a project that its photograph takes; masks, BRDFs and maps take the rest.
 constexpr float kPhotoEnd = 0.9f;
 constexpr std::size_t kMaxProjectBytes = std::size_t{64} << 20U;
+
 Message knownLabels(const Scene& scene) {
     std::string text;
     for (const Segment& segment : scene.segments) {
