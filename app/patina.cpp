@@ -2,20 +2,19 @@
 // The window. `patina [FILE]`, see --help.
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QLibraryInfo>
 #include <QLocale>
 #include <QTimer>
-#include <QTranslator>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
 #include "ui/main_window.h"
 #include "ui/style.h"
+#include "ui/translations.h"
 
 namespace {
 
-/// Without a display Qt's own message is an abort with a core dump; say what is missing instead.
+/// Without a display Qt would abort with a core dump instead of a message.
 bool displayMissing(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         if (std::string_view(argv[i]).starts_with("-platform") || std::string_view(argv[i]).starts_with("--platform")) {
@@ -40,7 +39,7 @@ bool onlyText(int argc, char** argv) {
 
 void describe(QCommandLineParser& parser) {
     parser.setApplicationDescription(
-        QCoreApplication::translate("main", "Changes what things in a photograph with depth are made of."));
+        QCoreApplication::translate("main", "Changes the materials of objects in photographs with depth."));
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument(QStringLiteral("FILE"),
@@ -71,21 +70,13 @@ int main(int argc, char** argv) {
     if (displayMissing(argc, argv)) {
         std::fputs(
             "Patina needs a display, and neither DISPLAY nor WAYLAND_DISPLAY is set. "
-            "patina-cli does the same work without a window.\n",
+            "Use patina-cli to work without a window.\n",
             stderr);
         return 4;
     }
     QApplication application(argc, argv);
     QApplication::setDesktopFileName(QStringLiteral("patina"));
-    QTranslator qtTranslator;
-    if (qtTranslator.load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"),
-                          QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
-        QCoreApplication::installTranslator(&qtTranslator);
-    }
-    QTranslator translator;
-    if (translator.load(QLocale(), QStringLiteral("patina"), QStringLiteral("_"), QStringLiteral(":/translations"))) {
-        QCoreApplication::installTranslator(&translator);
-    }
+    const auto translators = ui::installTranslators(QLocale());
     QCommandLineParser parser;
     describe(parser);
     parser.process(application);

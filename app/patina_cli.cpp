@@ -2,8 +2,10 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <string>
 
 #include "app/cli/session.h"
+#include "app/cli/words.h"
 #include "gpu/error.h"
 
 namespace {
@@ -22,13 +24,13 @@ int exitCode(core::ErrorKind kind) {
     return cli::kUnusableInput;
 }
 
-int report(const char* message, int code) {
+int report(const std::string& message, int code) {
     cli::finishProgress();
-    std::fprintf(stderr, "patina-cli: %s\n", message);
+    std::fprintf(stderr, "patina-cli: %s\n", message.c_str());
     return code;
 }
 
-/// Runs the chosen command; what was printed has to have arrived as well.
+/// Runs the chosen command and checks that its output was written.
 int run(const cli::Session& session) {
     try {
         cli::catchInterrupts();
@@ -39,7 +41,7 @@ int run(const cli::Session& session) {
             return report("Cannot write to the standard output.", cli::kNotWritten);
         return cli::kDone;
     } catch (const core::Error& error) {
-        return report(error.what(), exitCode(error.kind()));
+        return report(cli::sentence(error.message()), exitCode(error.kind()));
     } catch (const gpu::Error& error) {
         return report(error.what(), cli::kNoDevice);
     } catch (const std::bad_alloc&) {
@@ -53,14 +55,14 @@ int run(const cli::Session& session) {
 
 int main(int argc, char** argv) {
     cli::Session session;
-    CLI::App app("Patina changes what things in a photograph with depth are made of.", "patina-cli");
+    CLI::App app("Patina changes the materials of objects in photographs with depth.", "patina-cli");
     app.set_version_flag("--version", "patina-cli " PATINA_VERSION);
     app.add_option("--device", session.device,
                    "Graphics device: part of its name or its number in `patina-cli devices`")
         ->type_name("DEVICE");
     app.add_option("--analysis", session.analysis,
-                   "Who analyses: auto (the graphics device, unless it is a software one), cpu or gpu")
-        ->type_name("WHO");
+                   "Where the analysis runs: auto (the graphics device, unless it is a software one), cpu or gpu")
+        ->type_name("WHERE");
     app.require_subcommand(1);
     app.fallthrough();
     app.footer(

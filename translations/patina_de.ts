@@ -128,16 +128,1007 @@
 <context>
     <name>main</name>
     <message>
-        <source>Changes what things in a photograph with depth are made of.</source>
-        <translation>Ändert, woraus Dinge in einem Foto mit Tiefe bestehen.</translation>
-    </message>
-    <message>
         <source>Project (.patina) or photograph to open.</source>
         <translation>Projekt (.patina) oder Foto, das geöffnet wird.</translation>
     </message>
     <message>
         <source>Part of the graphics device&apos;s name, or its index.</source>
         <translation>Teil des Namens des Grafikgeräts oder seine Nummer.</translation>
+    </message>
+    <message>
+        <source>Changes the materials of objects in photographs with depth.</source>
+        <translation>Ändert das Material von Objekten in Fotos mit Tiefe.</translation>
+    </message>
+</context>
+<context>
+    <name>messages</name>
+    <message>
+        <source>It is &quot;Depth unit&quot; under File &gt; New from photo and depth.</source>
+        <translation>Das geht mit „Tiefeneinheit“ unter Datei &gt; Neu aus Foto und Tiefe.</translation>
+    </message>
+    <message>
+        <source>They are &quot;Depth unit&quot; and &quot;Depth is&quot; under File &gt; New from photo and depth.</source>
+        <translation>Das geht mit „Tiefeneinheit“ und „Tiefe ist“ unter Datei &gt; Neu aus Foto und Tiefe.</translation>
+    </message>
+    <message>
+        <source>&quot;Field of view&quot; under File &gt; New from photo and depth sets it.</source>
+        <translation>Das geht mit „Bildwinkel“ unter Datei &gt; Neu aus Foto und Tiefe.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Dafür reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>Its points lie on a line, which has no mirror plane.</source>
+        <translation>Seine Punkte liegen auf einer Geraden, die keine Spiegelebene hat.</translation>
+    </message>
+    <message>
+        <source>No mirror plane keeps most of it inside its silhouette.</source>
+        <translation>Keine Spiegelebene hält den größten Teil innerhalb der Silhouette.</translation>
+    </message>
+    <message>
+        <source>Its mirror image covers too little of its silhouette.</source>
+        <translation>Sein Spiegelbild deckt zu wenig von der Silhouette ab.</translation>
+    </message>
+    <message>
+        <source>None of its flat faces ends at its outline.</source>
+        <translation>Keine seiner ebenen Flächen endet an seinem Umriss.</translation>
+    </message>
+    <message>
+        <source>It runs out of the picture like a table or a wall, so it is a slab of constant thickness.</source>
+        <translation>Es reicht wie ein Tisch oder eine Wand aus dem Bild hinaus und ist deshalb eine Platte von konstanter Dicke.</translation>
+    </message>
+    <message>
+        <source>It has too few pixels with depth to estimate its shape.</source>
+        <translation>Es hat zu wenige Pixel mit Tiefe, um seine Form zu schätzen.</translation>
+    </message>
+    <message>
+        <source>None of its outline is visible, so no mirror can be spanned into it.</source>
+        <translation>Von seinem Umriss ist nichts zu sehen, deshalb lässt sich kein Spiegel hineinspannen.</translation>
+    </message>
+    <message>
+        <source>The back-side depth &quot;%1&quot; has %2 pixels, but the photograph has %3.</source>
+        <translation>Die Tiefe der Rückseite „%1“ hat %2 Pixel, das Foto aber %3.</translation>
+    </message>
+    <message>
+        <source>No glossy segment mirrors the light and no pixel is distant, so nothing is known of the light: the loaded map is all of it.</source>
+        <translation>Kein glänzendes Segment spiegelt das Licht und kein Pixel ist weit entfernt, deshalb ist über das Licht nichts bekannt: Es kommt ganz aus der geladenen Karte.</translation>
+    </message>
+    <message>
+        <source>No glossy segment mirrors the light and no pixel is distant, so nothing is known of the light: edits are lit as the shading suggests. Flag something glossy or load an environment map.</source>
+        <translation>Kein glänzendes Segment spiegelt das Licht und kein Pixel ist weit entfernt, deshalb ist über das Licht nichts bekannt: Änderungen werden so beleuchtet, wie es die Schattierung nahelegt. Markieren Sie etwas als glänzend oder laden Sie eine Umgebungskarte.</translation>
+    </message>
+    <message>
+        <source>No segment is flagged as glossy and no pixel is distant, so nothing is known of the light: the loaded map is all of it.</source>
+        <translation>Kein Segment ist als glänzend markiert und kein Pixel ist weit entfernt, deshalb ist über das Licht nichts bekannt: Es kommt ganz aus der geladenen Karte.</translation>
+    </message>
+    <message>
+        <source>No segment is flagged as glossy and no pixel is distant, so nothing is known of the light: edits are lit as the shading suggests. Flag something glossy or load an environment map.</source>
+        <translation>Kein Segment ist als glänzend markiert und kein Pixel ist weit entfernt, deshalb ist über das Licht nichts bekannt: Änderungen werden so beleuchtet, wie es die Schattierung nahelegt. Markieren Sie etwas als glänzend oder laden Sie eine Umgebungskarte.</translation>
+    </message>
+    <message>
+        <source>No segment is flagged as glossy: the light is known only from distant pixels, %1 % of all directions; the loaded map gives the rest. Flag something glossy to recover more.</source>
+        <translation>Kein Segment ist als glänzend markiert: Das Licht ist nur aus weit entfernten Pixeln bekannt, %1 % aller Richtungen; den Rest gibt die geladene Karte. Markieren Sie etwas als glänzend, um mehr zu bestimmen.</translation>
+    </message>
+    <message>
+        <source>No segment is flagged as glossy: the light is known only from distant pixels, %1 % of all directions; the rest is guessed. Flag something glossy to recover more.</source>
+        <translation>Kein Segment ist als glänzend markiert: Das Licht ist nur aus weit entfernten Pixeln bekannt, %1 % aller Richtungen; der Rest ist geraten. Markieren Sie etwas als glänzend, um mehr zu bestimmen.</translation>
+    </message>
+    <message>
+        <source>The camera clipped the light in %1 texels of the environment; their radiance is estimated from the blur around them. Use a photograph with more range (EXR) to get it right.</source>
+        <translation>In %1 Texeln der Umgebung hat die Kamera das Licht abgeschnitten; seine Stärke ist aus der Unschärfe ringsum geschätzt. Ein Foto mit größerem Umfang (EXR) gibt sie richtig wieder.</translation>
+    </message>
+    <message>
+        <source>Segment &quot;%1&quot; is glossy but has only %2 pixels with depth: too few to estimate its reflectance and the light from it.</source>
+        <translation>Das Segment „%1“ ist glänzend, hat aber nur %2 Pixel mit Tiefe: zu wenige, um daraus seine Reflexion und das Licht zu schätzen.</translation>
+    </message>
+    <message>
+        <source>Segment &quot;%1&quot; shows more light than it can mirror: it has colours of its own, so the light is not recovered from it. If it is a mirror, set its reflectance yourself.</source>
+        <translation>Das Segment „%1“ zeigt mehr Licht, als es spiegeln kann: Es hat eigene Farben, deshalb wird das Licht nicht daraus bestimmt. Ist es ein Spiegel, geben Sie seine Reflexion selbst an.</translation>
+    </message>
+    <message>
+        <source>Segment &quot;%1&quot; mirrors too little whose brightness is known (%2 sr), so its reflectance is a guess. Set it yourself.</source>
+        <translation>Das Segment „%1“ spiegelt zu wenig, dessen Helligkeit bekannt ist (%2 sr), deshalb ist seine Reflexion geraten. Geben Sie sie selbst an.</translation>
+    </message>
+    <message>
+        <source>Segment &quot;%1&quot; has no pixel with depth, so it cannot be edited. Give it depth or mark it again.</source>
+        <translation>Das Segment „%1“ hat kein Pixel mit Tiefe und lässt sich deshalb nicht ändern. Geben Sie ihm Tiefe oder markieren Sie es neu.</translation>
+    </message>
+    <message>
+        <source>Back side of &quot;%1&quot;: %2</source>
+        <translation>Rückseite von „%1“: %2</translation>
+    </message>
+    <message>
+        <source>There is no photograph to analyse. Load a colour picture with depth first.</source>
+        <translation>Es gibt kein Foto, das analysiert werden könnte. Laden Sie zuerst ein Farbbild mit Tiefe.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Cannot write &quot;%1&quot;: %2.</source>
+        <translation>„%1“ kann nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>Cannot write: the file name is empty.</source>
+        <translation>Schreiben nicht möglich: Der Dateiname ist leer.</translation>
+    </message>
+    <message>
+        <source>it is a folder, expected a file</source>
+        <translation>es ist ein Ordner, erwartet wird eine Datei</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>es ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>the folder &quot;%1&quot; does not exist</source>
+        <translation>den Ordner „%1“ gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the folder &quot;%1&quot; is not writable (%2)</source>
+        <translation>in den Ordner „%1“ darf nicht geschrieben werden (%2)</translation>
+    </message>
+    <message>
+        <source>Cannot read &quot;%1&quot;: %2.</source>
+        <translation>„%1“ kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>the file does not exist</source>
+        <translation>die Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the file is empty (0 bytes)</source>
+        <translation>die Datei ist leer (0 Bytes)</translation>
+    </message>
+    <message>
+        <source>Cannot read &quot;%1&quot;: it has %2 bytes, expected at most %3.</source>
+        <translation>„%1“ kann nicht gelesen werden: Die Datei hat %2 Bytes, erwartet werden höchstens %3.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The work was cancelled.</source>
+        <translation>Die Arbeit wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Cannot write &quot;%1&quot;: a Cryptomatte is stored in a .exr file.</source>
+        <translation>„%1“ kann nicht geschrieben werden: Eine Cryptomatte wird in einer .exr-Datei gespeichert.</translation>
+    </message>
+    <message>
+        <source>it is a deep image in tiles, expected scan lines</source>
+        <translation>es ist ein „Deep“-Bild aus Kacheln, erwartet werden Zeilen</translation>
+    </message>
+    <message>
+        <source>a color [r, g, b] or a number, the factor on the edit&apos;s own</source>
+        <translation>eine Farbe [r, g, b] oder eine Zahl als Faktor auf die eigene Farbe</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is empty, expected the path of an image.</source>
+        <translation>„%1“ ist leer, erwartet wird der Pfad eines Bildes.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; needs &quot;from&quot; or &quot;to&quot;: the values of &quot;%2&quot; where the mask is 0 and 1.</source>
+        <translation>„%1“ braucht „from“ oder „to“: die Werte von „%2“, wo die Maske 0 und 1 ist.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a list [...].</source>
+        <translation>„%1“ ist keine Liste [...].</translation>
+    </message>
+    <message>
+        <source>&quot;%1.parameter&quot; is &quot;%2&quot;, which has a drive already.</source>
+        <translation>„%1.parameter“ ist „%2“; dieser Parameter wird schon gesteuert.</translation>
+    </message>
+    <message>
+        <source>In &quot;%1&quot; %2 of the pixels are not finite numbers and %3 are negative, expected radiance of 0 or more: they count as 0. Repair the picture first.</source>
+        <translation>In „%1“ sind %2 der Pixel keine endlichen Zahlen und %3 negativ; erwartet werden Werte ab 0. Sie zählen als 0. Reparieren Sie zuerst das Bild.</translation>
+    </message>
+    <message>
+        <source>In &quot;%1&quot; %2 of the pixels are not finite numbers, expected radiance of 0 or more: they count as 0. Repair the picture first.</source>
+        <translation>In „%1“ sind %2 der Pixel keine endlichen Zahlen; erwartet werden Werte ab 0. Sie zählen als 0. Reparieren Sie zuerst das Bild.</translation>
+    </message>
+    <message>
+        <source>In &quot;%1&quot; %2 of the pixels are negative, expected radiance of 0 or more: they count as 0. Repair the picture first.</source>
+        <translation>In „%1“ sind %2 der Pixel negativ; erwartet werden Werte ab 0. Sie zählen als 0. Reparieren Sie zuerst das Bild.</translation>
+    </message>
+    <message>
+        <source>it has no channels R, G, B</source>
+        <translation>die Kanäle R, G, B fehlen</translation>
+    </message>
+    <message>
+        <source>it is a JPEG picture, whose compression changes label numbers; expected PNG, TIFF or EXR</source>
+        <translation>es ist ein JPEG-Bild, dessen Kompression die Nummern der Segmente verändert; erwartet wird PNG, TIFF oder EXR</translation>
+    </message>
+    <message>
+        <source>it is a colour picture, expected one number per pixel (grey or palette)</source>
+        <translation>es ist ein Farbbild, erwartet wird eine Zahl pro Pixel (Graustufen oder Palette)</translation>
+    </message>
+    <message>
+        <source>it contains the label %1, expected whole numbers from 0 to 65535</source>
+        <translation>sie enthält die Nummer %1, erwartet werden ganze Zahlen von 0 bis 65535</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, more than Patina accepts</source>
+        <translation>sie hat %1 Bytes, mehr als Patina annimmt</translation>
+    </message>
+    <message>
+        <source>its content is no image format that Patina reads (expected EXR, PNG, TIFF, JPEG, PFM or HDR)</source>
+        <translation>der Inhalt hat kein Bildformat, das Patina liest (erwartet wird EXR, PNG, TIFF, JPEG, PFM oder HDR)</translation>
+    </message>
+    <message>
+        <source>the file is truncated (JPEG data without an end)</source>
+        <translation>die Datei ist abgeschnitten (JPEG-Daten ohne Ende)</translation>
+    </message>
+    <message>
+        <source>the file is truncated (TIFF data beyond its end)</source>
+        <translation>die Datei ist abgeschnitten (TIFF-Daten jenseits des Endes)</translation>
+    </message>
+    <message>
+        <source>this build of OpenImageIO does not read %1 files</source>
+        <translation>diese Version von OpenImageIO liest keine Dateien vom Typ %1</translation>
+    </message>
+    <message>
+        <source>this build of OpenImageIO does not read %1 files from memory</source>
+        <translation>diese Version von OpenImageIO liest Dateien vom Typ %1 nicht aus dem Speicher</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: %2.</source>
+        <translation>%1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>the image size is %1</source>
+        <translation>die Bildgröße ist %1</translation>
+    </message>
+    <message>
+        <source>the image size is %1, expected at most %2 pixels a side and %3 megapixels</source>
+        <translation>die Bildgröße ist %1, erwartet werden höchstens %2 Pixel pro Seite und %3 Megapixel</translation>
+    </message>
+    <message>
+        <source>it is a volume of depth %1, expected a flat image</source>
+        <translation>es ist ein Volumen der Tiefe %1, erwartet wird ein flaches Bild</translation>
+    </message>
+    <message>
+        <source>it is a deep image (several samples per pixel), expected a flat one</source>
+        <translation>es ist ein „Deep“-Bild (mehrere Werte pro Pixel), erwartet wird ein flaches</translation>
+    </message>
+    <message>
+        <source>it has %1 channels, expected 1 to %2</source>
+        <translation>sie hat %1 Kanäle, erwartet werden 1 bis %2</translation>
+    </message>
+    <message>
+        <source>the header claims %1 pixels, but the file has only %2 bytes</source>
+        <translation>der Kopf nennt %1 Pixel, die Datei hat aber nur %2 Bytes</translation>
+    </message>
+    <message>
+        <source>Cannot write &quot;%1&quot;: the file name ends in &quot;%2&quot;, expected .exr, .png, .tif, .jpg or .hdr.</source>
+        <translation>„%1“ kann nicht geschrieben werden: Der Dateiname endet auf „%2“, erwartet wird .exr, .png, .tif, .jpg oder .hdr.</translation>
+    </message>
+    <message>
+        <source>Cannot write &quot;%1&quot;: %2 cannot be stored in a %3 file, expected %4.</source>
+        <translation>„%1“ kann nicht geschrieben werden: %2 lassen sich nicht in einer %3-Datei speichern, erwartet wird %4.</translation>
+    </message>
+    <message>
+        <source>this build of OpenImageIO does not write %1 files</source>
+        <translation>diese Version von OpenImageIO schreibt keine Dateien vom Typ %1</translation>
+    </message>
+    <message>
+        <source>measurements</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>.exr, .tif, .hdr or .png</source>
+        <translation>.exr, .tif, .hdr oder .png</translation>
+    </message>
+    <message>
+        <source>negative numbers</source>
+        <translation>negative Zahlen</translation>
+    </message>
+    <message>
+        <source>.exr, .tif, .png or .jpg</source>
+        <translation>.exr, .tif, .png oder .jpg</translation>
+    </message>
+    <message>
+        <source>labels</source>
+        <translation>Segmentnummern</translation>
+    </message>
+    <message>
+        <source>.png, .tif or .exr</source>
+        <translation>.png, .tif oder .exr</translation>
+    </message>
+    <message>
+        <source>its %1 image has no range, expected FloatMinValue &lt; FloatMaxValue in the XMP</source>
+        <translation>das Bild „%1“ hat keinen Wertebereich, erwartet wird FloatMinValue &lt; FloatMaxValue im XMP</translation>
+    </message>
+    <message>
+        <source>its %1 image has integers from IntMinValue %2 to IntMaxValue %3, expected a range</source>
+        <translation>das Bild „%1“ hat ganze Zahlen von IntMinValue %2 bis IntMaxValue %3, erwartet wird ein Bereich</translation>
+    </message>
+    <message>
+        <source>The camera states the depth inside &quot;%1&quot; as &quot;relative&quot;: its scale is approximate.</source>
+        <translation>Die Kamera nennt die Tiefe in „%1“ „relative“: Ihr Maßstab ist ungefähr.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>%1 in its XMP is damaged, expected an image in base64</source>
+        <translation>%1 in ihrem XMP ist beschädigt, erwartet wird ein Bild in Base64</translation>
+    </message>
+    <message>
+        <source>%1 inside &quot;%2&quot;</source>
+        <translation>%1 in „%2“</translation>
+    </message>
+    <message>
+        <source>its depth has the format &quot;%1&quot;, expected RangeInverse or RangeLinear</source>
+        <translation>die Tiefe hat das Format „%1“, erwartet wird RangeInverse oder RangeLinear</translation>
+    </message>
+    <message>
+        <source>its depth goes from %1 (Near) to %2 (Far), expected 0 &lt; Near &lt; Far</source>
+        <translation>die Tiefe reicht von %1 (Near) bis %2 (Far), erwartet wird 0 &lt; Near &lt; Far</translation>
+    </message>
+    <message>
+        <source>its depth map has %1-bit values, expected 8 or 16-bit integers</source>
+        <translation>die Tiefenkarte hat Werte mit %1 Bit, erwartet werden ganze Zahlen mit 8 oder 16 Bit</translation>
+    </message>
+    <message>
+        <source>channel Z of an EXR file</source>
+        <translation>Kanal Z einer EXR-Datei</translation>
+    </message>
+    <message>
+        <source>its depth image is in colour, expected grey</source>
+        <translation>das Tiefenbild ist farbig, erwartet wird Grau</translation>
+    </message>
+    <message>
+        <source>the image size is %1x%2, expected at most %3 pixels</source>
+        <translation>die Bildgröße ist %1x%2, erwartet werden höchstens %3 Pixel</translation>
+    </message>
+    <message>
+        <source>an image in it has no pixels</source>
+        <translation>ein Bild darin hat keine Pixel</translation>
+    </message>
+    <message>
+        <source>its colours have the primaries %1 and the transfer function %2 of ITU-T H.273 (16 is PQ, 18 is HLG), expected sRGB, a gamma, Rec.709, Rec.2020, linear light or an ICC profile</source>
+        <translation>die Farben haben die Primärvalenzen %1 und die Übertragungsfunktion %2 nach ITU-T H.273 (16 ist PQ, 18 ist HLG), erwartet wird sRGB, ein Gamma, Rec.709, Rec.2020, lineares Licht oder ein ICC-Profil</translation>
+    </message>
+    <message>
+        <source>its depth image says nothing about its range, expected XMP with an AuxiliaryImageType of disparity or depth</source>
+        <translation>das Tiefenbild nennt seinen Wertebereich nicht, erwartet wird XMP mit dem AuxiliaryImageType „disparity“ oder „depth“</translation>
+    </message>
+    <message>
+        <source>the auxiliary depth image of a HEIC file</source>
+        <translation>das Tiefenbild einer HEIC-Datei</translation>
+    </message>
+    <message>
+        <source>the sharp picture</source>
+        <translation>das scharfe Bild</translation>
+    </message>
+    <message>
+        <source>its XMP has no GDepth:Data, expected the depth map that GDepth:Format announces</source>
+        <translation>in ihrem XMP fehlt GDepth:Data, erwartet wird die Tiefenkarte, die GDepth:Format ankündigt</translation>
+    </message>
+    <message>
+        <source>the depth map</source>
+        <translation>die Tiefenkarte</translation>
+    </message>
+    <message>
+        <source>The depth inside &quot;%1&quot; has no unit: 1 is taken as a metre. Give the metres per unit to set the true scale.</source>
+        <translation>Die Tiefe in „%1“ hat keine Einheit: 1 gilt als ein Meter. Geben Sie die Meter pro Einheit an, um den wahren Maßstab einzustellen.</translation>
+    </message>
+    <message>
+        <source>a Google depth map (GDepth) in a JPEG</source>
+        <translation>eine Google-Tiefenkarte (GDepth) in einem JPEG</translation>
+    </message>
+    <message>
+        <source>the file is truncated: a picture of its index (MPF) lies beyond the end</source>
+        <translation>die Datei ist abgeschnitten: Ein Bild ihres Verzeichnisses (MPF) liegt hinter dem Ende</translation>
+    </message>
+    <message>
+        <source>the depth of an Apple camera in a JPEG (MPF)</source>
+        <translation>die Tiefe einer Apple-Kamera in einem JPEG (MPF)</translation>
+    </message>
+    <message>
+        <source>its extended XMP is incomplete: expected %1 bytes in successive parts, found %2</source>
+        <translation>das erweiterte XMP ist unvollständig: Erwartet werden %1 Bytes in aufeinanderfolgenden Teilen, gefunden wurden %2</translation>
+    </message>
+    <message>
+        <source>the file is truncated: its header segments have no end</source>
+        <translation>die Datei ist abgeschnitten: Ihre Kopfsegmente haben kein Ende</translation>
+    </message>
+    <message>
+        <source>The depth inside &quot;%1&quot; has no metric unit: 1 is taken as a millimetre. Give the metres per unit to set another scale.</source>
+        <translation>Die Tiefe in „%1“ hat keine metrische Einheit: 1 gilt als ein Millimeter. Geben Sie die Meter pro Einheit an, um einen anderen Maßstab einzustellen.</translation>
+    </message>
+    <message>
+        <source>The depth inside &quot;%1&quot; has no metric unit: 1 is taken as a metre. Give the metres per unit to set another scale.</source>
+        <translation>Die Tiefe in „%1“ hat keine metrische Einheit: 1 gilt als ein Meter. Geben Sie die Meter pro Einheit an, um einen anderen Maßstab einzustellen.</translation>
+    </message>
+    <message>
+        <source>none of the cameras in its XMP (XDM) has a depth map</source>
+        <translation>keine der Kameras in ihrem XMP (XDM) hat eine Tiefenkarte</translation>
+    </message>
+    <message>
+        <source>a depth map of extensible device metadata (XDM) in a JPEG</source>
+        <translation>eine Tiefenkarte aus „extensible device metadata“ (XDM) in einem JPEG</translation>
+    </message>
+    <message>
+        <source>the point cloud has no field &quot;%1&quot; of type F and size 4 or 8</source>
+        <translation>die Punktwolke hat kein Feld „%1“ vom Typ F und der Größe 4 oder 8</translation>
+    </message>
+    <message>
+        <source>only %1 points have x, y and z &gt; 0, expected %2 or more</source>
+        <translation>nur %1 Punkte haben x, y und z &gt; 0, erwartet werden mindestens %2</translation>
+    </message>
+    <message>
+        <source>its raster is not what a pin-hole camera sees (fx=%1, fy=%2, off by %3 pixels), expected x to the right, y downwards, z forward</source>
+        <translation>das Raster ist nicht das einer Lochkamera (fx=%1, fy=%2, Abweichung %3 Pixel), erwartet wird x nach rechts, y nach unten, z nach vorn</translation>
+    </message>
+    <message>
+        <source>the point cloud has no colours, expected a field &quot;rgb&quot; or &quot;rgba&quot; of size 4</source>
+        <translation>die Punktwolke hat keine Farben, erwartet wird ein Feld „rgb“ oder „rgba“ der Größe 4</translation>
+    </message>
+    <message>
+        <source>an organised point cloud (PCD)</source>
+        <translation>eine geordnete Punktwolke (PCD)</translation>
+    </message>
+    <message>
+        <source>the PCD header has no end, expected a line &quot;DATA ...&quot;</source>
+        <translation>der PCD-Kopf hat kein Ende, erwartet wird eine Zeile „DATA ...“</translation>
+    </message>
+    <message>
+        <source>has %1 values</source>
+        <translation>hat %1 Werte</translation>
+    </message>
+    <message>
+        <source>has no value</source>
+        <translation>hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>the point cloud has WIDTH %1 and HEIGHT %2, expected a raster of points (HEIGHT of 2 or more)</source>
+        <translation>die Punktwolke hat WIDTH %1 und HEIGHT %2, erwartet wird ein Raster von Punkten (HEIGHT mindestens 2)</translation>
+    </message>
+    <message>
+        <source>the point cloud has %1x%2 points, expected at most %3</source>
+        <translation>die Punktwolke hat %1x%2 Punkte, erwartet werden höchstens %3</translation>
+    </message>
+    <message>
+        <source>is %1, expected WIDTH times HEIGHT, %2</source>
+        <translation>ist %1, erwartet wird WIDTH mal HEIGHT, %2</translation>
+    </message>
+    <message>
+        <source>the PCD header&apos;s %1 %2</source>
+        <translation>%1 im PCD-Kopf %2</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, expected a whole number</source>
+        <translation>ist „%1“, erwartet wird eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>is %1, expected 1 to %2</source>
+        <translation>ist %1, erwartet wird 1 bis %2</translation>
+    </message>
+    <message>
+        <source>the PCD header&apos;s FIELDS, SIZE, TYPE and COUNT have %1, %2, %3 and %4 values, expected the same number</source>
+        <translation>FIELDS, SIZE, TYPE und COUNT im PCD-Kopf haben %1, %2, %3 und %4 Werte, erwartet werden gleich viele</translation>
+    </message>
+    <message>
+        <source>has the value %1, expected 1, 2, 4 or 8</source>
+        <translation>hat den Wert %1, erwartet wird 1, 2, 4 oder 8</translation>
+    </message>
+    <message>
+        <source>has the value %1, expected 1 to %2</source>
+        <translation>hat den Wert %1, erwartet wird 1 bis %2</translation>
+    </message>
+    <message>
+        <source>has the value &quot;%1&quot;, expected F, I or U</source>
+        <translation>hat den Wert „%1“, erwartet wird F, I oder U</translation>
+    </message>
+    <message>
+        <source>the PCD header&apos;s DATA is &quot;%1&quot;, expected ascii, binary or binary_compressed</source>
+        <translation>DATA im PCD-Kopf ist „%1“, erwartet wird ascii, binary oder binary_compressed</translation>
+    </message>
+    <message>
+        <source>the file is truncated: its points take %1 bytes, %2 are there</source>
+        <translation>die Datei ist abgeschnitten: Ihre Punkte brauchen %1 Bytes, vorhanden sind %2</translation>
+    </message>
+    <message>
+        <source>its points unpack to %1 bytes, expected %2</source>
+        <translation>die Punkte ergeben entpackt %1 Bytes, erwartet werden %2</translation>
+    </message>
+    <message>
+        <source>its compressed points (LZF) are damaged</source>
+        <translation>die komprimierten Punkte (LZF) sind beschädigt</translation>
+    </message>
+    <message>
+        <source>the file is truncated: expected %1 lines of points</source>
+        <translation>die Datei ist abgeschnitten: Erwartet werden %1 Zeilen mit Punkten</translation>
+    </message>
+    <message>
+        <source>point %1 has no value for the field &quot;%2&quot;</source>
+        <translation>Punkt %1 hat keinen Wert für das Feld „%2“</translation>
+    </message>
+    <message>
+        <source>its XMP is no well-formed XML: %1</source>
+        <translation>ihr XMP ist kein wohlgeformtes XML: %1</translation>
+    </message>
+    <message>
+        <source>a number of at least %1</source>
+        <translation>eine Zahl ab %1</translation>
+    </message>
+    <message>
+        <source>a number in [%1, %2]</source>
+        <translation>eine Zahl in [%1, %2]</translation>
+    </message>
+    <message>
+        <source>The value is %1, expected an object {...}.</source>
+        <translation>Der Wert ist %1, erwartet wird ein Objekt {...}.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2, expected an object {...}.</source>
+        <translation>„%1“ ist %2, erwartet wird ein Objekt {...}.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2, expected %3.</source>
+        <translation>„%1“ ist %2, erwartet wird %3.</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a text in quotes</source>
+        <translation>ein Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>a text without zero bytes</source>
+        <translation>ein Text ohne Null-Bytes</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>eine ganze Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>three numbers [r, g, b]</source>
+        <translation>drei Zahlen [r, g, b]</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; is missing.</source>
+        <translation>Der Schlüssel „%1“ fehlt.</translation>
+    </message>
+    <message>
+        <source>The key %1 is unknown, expected %2.</source>
+        <translation>Der Schlüssel %1 ist unbekannt, erwartet wird %2.</translation>
+    </message>
+    <message>
+        <source>The JSON text is nested deeper than %1.</source>
+        <translation>Der JSON-Text ist tiefer als %1 verschachtelt.</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; occurs twice.</source>
+        <translation>Der Schlüssel „%1“ kommt zweimal vor.</translation>
+    </message>
+    <message>
+        <source>The JSON text is damaged: %1.</source>
+        <translation>Der JSON-Text ist beschädigt: %1.</translation>
+    </message>
+    <message>
+        <source>The mask &quot;%1&quot; has no number at (%2, %3), expected values from 0 to 1.</source>
+        <translation>Die Maske „%1“ hat bei (%2, %3) keine Zahl, erwartet werden Werte von 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>The BRDF &quot;%1&quot; has no parameters of its own.</source>
+        <translation>Die BRDF „%1“ hat keine eigenen Parameter.</translation>
+    </message>
+    <message>
+        <source>The BRDF &quot;%1&quot; has the parameters %2.</source>
+        <translation>Die BRDF „%1“ hat die Parameter %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is &quot;%2&quot;, expected one of %3.</source>
+        <translation>„%1“ ist „%2“, erwartet wird eines von %3.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; needs exactly one of: &quot;preset&quot;; &quot;sigma_a&quot; with &quot;sigma_s_prime&quot;; &quot;diffuse_color&quot; with &quot;mean_free_path_mm&quot;.</source>
+        <translation>„%1“ braucht genau eines von: „preset“; „sigma_a“ mit „sigma_s_prime“; „diffuse_color“ mit „mean_free_path_mm“.</translation>
+    </message>
+    <message>
+        <source>a path after &quot;file:&quot;</source>
+        <translation>ein Pfad hinter „file:“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is left out: %2</source>
+        <translation>„%1“ wird weggelassen: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; needs a BRDF with a Fresnel mode; &quot;%2&quot; has none.</source>
+        <translation>„%1“ braucht eine BRDF mit Fresnel-Modus; „%2“ hat keinen.</translation>
+    </message>
+    <message>
+        <source>Give &quot;%1&quot;, or &quot;eta&quot; and &quot;k&quot;, not both.</source>
+        <translation>Geben Sie entweder „%1“ oder „eta“ und „k“ an, nicht beides.</translation>
+    </message>
+    <message>
+        <source>[r, g, b] or &quot;estimated&quot;</source>
+        <translation>[r, g, b] oder &quot;estimated&quot;</translation>
+    </message>
+    <message>
+        <source>%1 size (%2) differs from colour image size (%3); expected the same size or a smaller image of the same shape.</source>
+        <translation>%1: Die Größe (%2) weicht von der des Farbbilds (%3) ab; erwartet wird dieselbe Größe oder ein kleineres Bild mit denselben Proportionen.</translation>
+    </message>
+    <message>
+        <source>While loading &quot;%1&quot; for &quot;%2&quot;.</source>
+        <translation>Beim Laden von „%1“ für „%2“.</translation>
+    </message>
+    <message>
+        <source>The intrinsics %1 do not fit the colour image &quot;%2&quot; of %3 pixels: expected focal lengths of 0.01 to 1000 image sides and a principal point within 10 image sides.</source>
+        <translation>Die Kameraparameter %1 passen nicht zum Farbbild „%2“ mit %3 Pixeln: Erwartet werden Brennweiten von 0,01 bis 1000 Bildseiten und ein Hauptpunkt innerhalb von 10 Bildseiten.</translation>
+    </message>
+    <message>
+        <source>The horizontal field of view is %1 degrees, expected 0.1 to 177.</source>
+        <translation>Der horizontale Bildwinkel ist %1 Grad, erwartet wird 0,1 bis 177.</translation>
+    </message>
+    <message>
+        <source>The intrinsics are taken from &quot;%1&quot;: %2.</source>
+        <translation>Die Kameraparameter stammen aus „%1“: %2.</translation>
+    </message>
+    <message>
+        <source>The intrinsics in &quot;%1&quot; are ignored, because they fit no camera: %2.</source>
+        <translation>Die Kameraparameter in „%1“ passen zu keiner Kamera und werden nicht verwendet: %2.</translation>
+    </message>
+    <message>
+        <source>The focal length is taken from &quot;%1&quot;: %2 mm (35 mm equivalent).</source>
+        <translation>Die Brennweite stammt aus „%1“: %2 mm (auf Kleinbild umgerechnet).</translation>
+    </message>
+    <message>
+        <source>No focal length is given and &quot;%1&quot; does not state one: assuming a horizontal field of view of 60 degrees.</source>
+        <translation>Es ist keine Brennweite angegeben und „%1“ nennt keine: Angenommen wird ein horizontaler Bildwinkel von 60 Grad.</translation>
+    </message>
+    <message>
+        <source>The depth unit is %1, expected metres per stored unit, greater than 0.</source>
+        <translation>Die Tiefeneinheit ist %1, erwartet werden Meter pro gespeicherter Einheit, größer als 0.</translation>
+    </message>
+    <message>
+        <source>The depth image &quot;%1&quot; stores %2-bit integers, whose unit cannot be guessed: give the metres per stored unit.</source>
+        <translation>Das Tiefenbild „%1“ enthält ganze Zahlen mit %2 Bit, deren Einheit sich nicht erraten lässt: Geben Sie die Meter pro gespeicherter Einheit an.</translation>
+    </message>
+    <message>
+        <source>The depth in &quot;%1&quot; (%2) is enlarged to the colour image (%3).</source>
+        <translation>Die Tiefe in „%1“ (%2) wird auf die Größe des Farbbilds (%3) gebracht.</translation>
+    </message>
+    <message>
+        <source>The median depth in &quot;%1&quot; is %2 m with a unit of %3 m, expected %4 to %5 m: the unit is probably wrong. Give the metres per stored unit (0.001 for millimetres, 1 for metres), or the right kind of depth.</source>
+        <translation>Die mittlere Tiefe in „%1“ ist %2 m bei einer Einheit von %3 m, erwartet wird %4 bis %5 m: Die Einheit ist wahrscheinlich falsch. Geben Sie die Meter pro gespeicherter Einheit an (0,001 für Millimeter, 1 für Meter) oder die richtige Art der Tiefe.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; contains no depth map (%2), and no depth image is given.</source>
+        <translation>„%1“ enthält keine Tiefenkarte (%2), und es ist kein Tiefenbild angegeben.</translation>
+    </message>
+    <message>
+        <source>The depth kind is &quot;%1&quot;, but the file says that the depth inside &quot;%2&quot; is &quot;%3&quot;.</source>
+        <translation>Die Art der Tiefe ist „%1“, laut Datei ist die Tiefe in „%2“ aber „%3“.</translation>
+    </message>
+    <message>
+        <source>Depth image</source>
+        <translation>Tiefenbild</translation>
+    </message>
+    <message>
+        <source>Depth image &quot;%1&quot; has no valid pixel: every value is zero, negative, not a number or beyond %2 m.</source>
+        <translation>Das Tiefenbild „%1“ hat kein gültiges Pixel: Jeder Wert ist null, negativ, keine Zahl oder größer als %2 m.</translation>
+    </message>
+    <message>
+        <source>Label map</source>
+        <translation>Segmentkarte</translation>
+    </message>
+    <message>
+        <source>Environment &quot;%1&quot; has %2 pixels, expected a latitude-longitude map, twice as wide as high.</source>
+        <translation>Die Umgebungskarte „%1“ hat %2 Pixel, erwartet wird eine Längen-Breiten-Karte, doppelt so breit wie hoch.</translation>
+    </message>
+    <message>
+        <source>the photograph</source>
+        <translation>das Foto</translation>
+    </message>
+    <message>
+        <source>Back depth image</source>
+        <translation>Tiefenbild der Rückseite</translation>
+    </message>
+    <message>
+        <source>it has no segments</source>
+        <translation>es gibt keine Segmente</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>es gibt %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is empty, expected a name.</source>
+        <translation>„%1“ ist leer, erwartet wird ein Name.</translation>
+    </message>
+    <message>
+        <source>&quot;%1.label&quot; is %2, but the label map &quot;%3&quot; has no such label.</source>
+        <translation>„%1.label“ ist %2, aber die Segmentkarte „%3“ enthält diese Nummer nicht.</translation>
+    </message>
+    <message>
+        <source>&quot;%1.label&quot; is %2, which another segment has already.</source>
+        <translation>„%1.label“ ist %2; diese Nummer hat schon ein anderes Segment.</translation>
+    </message>
+    <message>
+        <source>&quot;%1.name&quot; is &quot;%2&quot;, which another segment has already.</source>
+        <translation>„%1.name“ ist „%2“; so heißt schon ein anderes Segment.</translation>
+    </message>
+    <message>
+        <source>The file is not a Patina project: expected &quot;format&quot;: &quot;patina&quot;.</source>
+        <translation>Die Datei ist kein Patina-Projekt: Erwartet wird &quot;format&quot;: &quot;patina&quot;.</translation>
+    </message>
+    <message>
+        <source>The project has version %1, this program reads up to version %2.</source>
+        <translation>Das Projekt hat die Version %1, dieses Programm liest bis Version %2.</translation>
+    </message>
+    <message>
+        <source>There is no segment &quot;%1&quot; in &quot;%2&quot;: %3.</source>
+        <translation>In „%2“ gibt es kein Segment „%1“: %3.</translation>
+    </message>
+    <message>
+        <source>While loading &quot;%1&quot;.</source>
+        <translation>Beim Laden von „%1“.</translation>
+    </message>
+    <message>
+        <source>Cannot write &quot;%1&quot;: a file or segment name in it is not valid UTF-8.</source>
+        <translation>„%1“ kann nicht geschrieben werden: Ein Datei- oder Segmentname darin ist kein gültiges UTF-8.</translation>
+    </message>
+    <message>
+        <source>There is no BRDF &quot;%1&quot;; known are: %2.</source>
+        <translation>Es gibt keine BRDF „%1“; bekannt sind: %2.</translation>
+    </message>
+    <message>
+        <source>This comment does not end.</source>
+        <translation>Dieser Kommentar endet nicht.</translation>
+    </message>
+    <message>
+        <source>The text is too long: more than %1 words and signs.</source>
+        <translation>Der Text ist zu lang: mehr als %1 Wörter und Zeichen.</translation>
+    </message>
+    <message>
+        <source>A name has more than %1 characters.</source>
+        <translation>Ein Name hat mehr als %1 Zeichen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no int, uint or float.</source>
+        <translation>„%1“ ist kein int, uint oder float.</translation>
+    </message>
+    <message>
+        <source>Lines with # are not allowed here: no #include, #define, #extension or #version.</source>
+        <translation>Zeilen mit # sind hier nicht erlaubt: kein #include, #define, #extension oder #version.</translation>
+    </message>
+    <message>
+        <source>There is no % here; mod(x, y) does it for floats.</source>
+        <translation>% gibt es hier nicht; mod(x, y) leistet dasselbe für float.</translation>
+    </message>
+    <message>
+        <source>The sign %1 is not allowed here.</source>
+        <translation>Das Zeichen %1 ist hier nicht erlaubt.</translation>
+    </message>
+    <message>
+        <source>There is a character here that is not GLSL.</source>
+        <translation>Hier steht ein Zeichen, das es in GLSL nicht gibt.</translation>
+    </message>
+    <message>
+        <source>This statement is too long.</source>
+        <translation>Diese Anweisung ist zu lang.</translation>
+    </message>
+    <message>
+        <source>There are too many &quot;else&quot;.</source>
+        <translation>Es gibt zu viele „else“.</translation>
+    </message>
+    <message>
+        <source>Brackets are nested too deeply.</source>
+        <translation>Die Klammern sind zu tief verschachtelt.</translation>
+    </message>
+    <message>
+        <source>There is no bracket that this &quot;%1&quot; closes.</source>
+        <translation>Es gibt keine Klammer, die dieses „%1“ schließt.</translation>
+    </message>
+    <message>
+        <source>This &quot;%1&quot; is not closed.</source>
+        <translation>Dieses „%1“ wird nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>%1:%2: %3</source>
+        <translation>%1:%2: %3</translation>
+    </message>
+    <message>
+        <source>The file is no text in UTF-8.</source>
+        <translation>Die Datei ist kein Text in UTF-8.</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>roten</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>grünen</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>blauen</translation>
+    </message>
+    <message>
+        <source>expected a measured BRDF in MERL&apos;s binary format: dimensions 90, 90, 180, then %1 bytes of values</source>
+        <translation>erwartet wird eine gemessene BRDF im Binärformat von MERL: Dimensionen 90, 90, 180, dann %1 Bytes Werte</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2 bytes, %3, %4 bytes in all.</source>
+        <translation>„%1“ hat %2 Bytes, %3, zusammen %4 Bytes.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has the dimensions %2, %3, %4, %5.</source>
+        <translation>„%1“ hat die Dimensionen %2, %3, %4, %5.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: value %2 of the %3 plane is not a finite number; %4.</source>
+        <translation>„%1“: Der Wert %2 der %3 Ebene ist keine endliche Zahl; %4.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not allowed here.</source>
+        <translation>„%1“ ist hier nicht erlaubt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a name of GLSL or of the program.</source>
+        <translation>„%1“ ist ein Name von GLSL oder des Programms.</translation>
+    </message>
+    <message>
+        <source>Expected a function, a constant (const float a = 1.0;) or a parameter (uniform float a = 0.5;  // 0 to 1), found &quot;%1&quot;.</source>
+        <translation>Erwartet wird eine Funktion, eine Konstante (const float a = 1.0;) oder ein Parameter (uniform float a = 0.5;  // 0 to 1), gefunden wurde „%1“.</translation>
+    </message>
+    <message>
+        <source>Variables outside functions have to be const.</source>
+        <translation>Variablen außerhalb von Funktionen müssen const sein.</translation>
+    </message>
+    <message>
+        <source>This declaration does not end.</source>
+        <translation>Diese Deklaration endet nicht.</translation>
+    </message>
+    <message>
+        <source>This function has to be %1.</source>
+        <translation>Diese Funktion muss %1 heißen.</translation>
+    </message>
+    <message>
+        <source>Parameters are declared outside functions.</source>
+        <translation>Parameter werden außerhalb von Funktionen deklariert.</translation>
+    </message>
+    <message>
+        <source>The file lacks the function %1.</source>
+        <translation>In der Datei fehlt die Funktion %1.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; calls itself; GLSL has no recursion.</source>
+        <translation>„%1“ ruft sich selbst auf; GLSL kennt keine Rekursion.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is too long with all that it calls: more than %2 words and signs.</source>
+        <translation>„%1“ ist mit allem, was es aufruft, zu lang: mehr als %2 Wörter und Zeichen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; needs a condition in ( ).</source>
+        <translation>„%1“ braucht eine Bedingung in ( ).</translation>
+    </message>
+    <message>
+        <source>&quot;for&quot; needs (start; condition; step).</source>
+        <translation>„for“ braucht (Anfang; Bedingung; Schritt).</translation>
+    </message>
+    <message>
+        <source>Only a name can be indexed here.</source>
+        <translation>Einen Index kann hier nur ein Name haben.</translation>
+    </message>
+    <message>
+        <source>An array is declared as float a[3], without arrays in it.</source>
+        <translation>Ein Feld wird als float a[3] deklariert und enthält keine Felder.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is too large for an array, or no number; expected at most %2.</source>
+        <translation>„%1“ ist zu groß für ein Feld oder keine Zahl; erwartet wird höchstens %2.</translation>
+    </message>
+    <message>
+        <source>There are too many large arrays.</source>
+        <translation>Es gibt zu viele große Felder.</translation>
+    </message>
+    <message>
+        <source>The size of an array has to be a number.</source>
+        <translation>Die Größe eines Feldes muss eine Zahl sein.</translation>
+    </message>
+    <message>
+        <source>There is no field &quot;%1&quot;.</source>
+        <translation>Es gibt kein Feld „%1“.</translation>
+    </message>
+    <message>
+        <source>fresnel(cosine) needs uniform vec3 specular;</source>
+        <translation>fresnel(cosine) braucht uniform vec3 specular;</translation>
+    </message>
+    <message>
+        <source>A parameter is declared in one line: %1</source>
+        <translation>Ein Parameter wird in einer Zeile deklariert: %1</translation>
+    </message>
+    <message>
+        <source>A parameter is declared as %1 and a colour as uniform vec3 albedo; or uniform vec3 specular;</source>
+        <translation>Ein Parameter wird als %1 deklariert und eine Farbe als uniform vec3 albedo; oder uniform vec3 specular;</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number.</source>
+        <translation>„%1“ ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>A BRDF has at most %1 parameters.</source>
+        <translation>Eine BRDF hat höchstens %1 Parameter.</translation>
+    </message>
+    <message>
+        <source>A parameter cannot be called &quot;%1&quot;: edits have that key already.</source>
+        <translation>Ein Parameter kann nicht „%1“ heißen: Diesen Schlüssel haben Änderungen schon.</translation>
+    </message>
+    <message>
+        <source>The parameter &quot;%1&quot; is declared twice.</source>
+        <translation>Der Parameter „%1“ ist zweimal deklariert.</translation>
+    </message>
+    <message>
+        <source>The range of &quot;%1&quot; has to rise and to contain its initial value.</source>
+        <translation>Der Bereich von „%1“ muss aufsteigen und den Anfangswert enthalten.</translation>
+    </message>
+    <message>
+        <source>The range of &quot;%1&quot; is log and has to be above 0.</source>
+        <translation>Der Bereich von „%1“ ist logarithmisch und muss über 0 liegen.</translation>
+    </message>
+    <message>
+        <source>The label of &quot;%1&quot; lacks its closing quote.</source>
+        <translation>Der Beschriftung von „%1“ fehlt das schließende Anführungszeichen.</translation>
+    </message>
+    <message>
+        <source>The label of &quot;%1&quot; stands last and has 1 to %2 characters.</source>
+        <translation>Die Beschriftung von „%1“ steht am Ende und hat 1 bis %2 Zeichen.</translation>
+    </message>
+    <message>
+        <source>The range of &quot;%1&quot; is missing: %2</source>
+        <translation>Der Bereich von „%1“ fehlt: %2</translation>
+    </message>
+    <message>
+        <source>The unit of &quot;%1&quot; has more than 12 characters.</source>
+        <translation>Die Einheit von „%1“ hat mehr als 12 Zeichen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not understood after the range of &quot;%2&quot;, expected log or a label in quotes.</source>
+        <translation>„%1“ hinter dem Bereich von „%2“ ist unverständlich, erwartet wird log oder eine Beschriftung in Anführungszeichen.</translation>
+    </message>
+    <message>
+        <source>The mask &quot;%1&quot; of &quot;%2&quot; in segment &quot;%3&quot; is %4, expected the photograph&apos;s size %5.</source>
+        <translation>Die Maske „%1“ von „%2“ im Segment „%3“ hat die Größe %4, erwartet wird die des Fotos, %5.</translation>
+    </message>
+    <message>
+        <source>The mask &quot;%1&quot; is %2 everywhere in the segment &quot;%3&quot;, so &quot;%4&quot; does not vary there. Is it the mask of another segment?</source>
+        <translation>Die Maske „%1“ ist im Segment „%3“ überall %2, deshalb ändert sich „%4“ dort nicht. Gehört sie zu einem anderen Segment?</translation>
+    </message>
+    <message>
+        <source>%1 was done on the CPU, because the device fails: %2</source>
+        <translation>%1 lief auf der CPU, weil das Gerät versagt: %2</translation>
+    </message>
+    <message>
+        <source>The depth filter</source>
+        <translation>Der Tiefenfilter</translation>
+    </message>
+    <message>
+        <source>The ray march</source>
+        <translation>Die Strahlverfolgung</translation>
+    </message>
+    <message>
+        <source>The fit of the surface</source>
+        <translation>Die Anpassung der Oberfläche</translation>
+    </message>
+    <message>
+        <source>The filling of directions</source>
+        <translation>Das Ergänzen der Richtungen</translation>
     </message>
 </context>
 <context>
@@ -615,44 +1606,52 @@
         <source>Scale the light that was scattered inside</source>
         <translation>Das innen gestreute Licht skalieren</translation>
     </message>
+    <message>
+        <source>Dipole</source>
+        <translation>Dipol</translation>
+    </message>
+    <message>
+        <source>Better dipole</source>
+        <translation>Besserer Dipol</translation>
+    </message>
 </context>
 <context>
     <name>tasks</name>
     <message>
         <source>Working</source>
-        <translation type="unfinished"></translation>
+        <translation>In Arbeit</translation>
     </message>
     <message>
         <source>Loading the photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Foto wird geladen</translation>
     </message>
     <message>
         <source>Recovering depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe wird bestimmt</translation>
     </message>
     <message>
         <source>Computing normals</source>
-        <translation type="unfinished"></translation>
+        <translation>Normalen werden berechnet</translation>
     </message>
     <message>
         <source>Inventing back sides</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückseiten werden ergänzt</translation>
     </message>
     <message>
         <source>Building depth layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefenschichten werden aufgebaut</translation>
     </message>
     <message>
         <source>Estimating reflectance</source>
-        <translation type="unfinished"></translation>
+        <translation>Reflexion wird geschätzt</translation>
     </message>
     <message>
         <source>Recovering the environment</source>
-        <translation type="unfinished"></translation>
+        <translation>Umgebungslicht wird bestimmt</translation>
     </message>
     <message>
         <source>Separating texture from shading</source>
-        <translation type="unfinished"></translation>
+        <translation>Textur und Schattierung werden getrennt</translation>
     </message>
     <message>
         <source>Rendering</source>
@@ -660,22 +1659,22 @@
     </message>
     <message>
         <source>Filtering the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild wird gefiltert</translation>
     </message>
     <message>
         <source>Summing diffuse light</source>
-        <translation type="unfinished"></translation>
+        <translation>Diffuses Licht wird summiert</translation>
     </message>
     <message>
         <source>Running benchmarks</source>
-        <translation type="unfinished"></translation>
+        <translation>Messungen laufen</translation>
     </message>
 </context>
 <context>
     <name>ui</name>
     <message>
-        <source>Vulkan is not available here (error %1): the picture cannot be shown.</source>
-        <translation>Vulkan ist hier nicht verfügbar (Fehler %1): Das Bild kann nicht gezeigt werden.</translation>
+        <source>Vulkan is not available on this system (error %1), so the picture cannot be shown.</source>
+        <translation>Vulkan ist auf diesem System nicht verfügbar (Fehler %1), deshalb kann das Bild nicht gezeigt werden.</translation>
     </message>
 </context>
 <context>
@@ -758,32 +1757,25 @@
     </message>
 </context>
 <context>
-    <name>ui::BackgroundTask</name>
-    <message>
-        <source>There is not enough memory for this.</source>
-        <translation>Dafür reicht der Speicher nicht.</translation>
-    </message>
-</context>
-<context>
     <name>ui::Canvas</name>
     <message>
         <source>Picture</source>
         <translation>Bild</translation>
     </message>
     <message>
-        <source>The graphics device is lost whenever this picture is drawn. Your edits are not affected: undo the last one, or save and start Patina again with another device.</source>
-        <translation>Das Grafikgerät fällt bei diesem Bild jedes Mal aus. Ihre Bearbeitung ist nicht betroffen: Machen Sie den letzten Schritt rückgängig, oder speichern Sie und starten Sie Patina mit einem anderen Gerät neu.</translation>
+        <source>The graphics device is lost whenever this picture is drawn. Your edits are safe: undo the last one, or save and restart Patina with another device.</source>
+        <translation>Das Grafikgerät fällt aus, sobald dieses Bild gezeichnet wird. Ihre Änderungen sind sicher: Machen Sie die letzte rückgängig, oder speichern Sie und starten Sie Patina mit einem anderen Gerät neu.</translation>
     </message>
 </context>
 <context>
-    <name>ui::CanvasWindow</name>
+    <name>ui::CanvasRenderer</name>
     <message>
-        <source>The graphics device was lost and is being started again. Your edits are not affected.</source>
-        <translation>Das Grafikgerät ist ausgefallen und wird neu gestartet. Ihre Bearbeitung ist nicht betroffen.</translation>
+        <source>The graphics device was lost and is being restarted. Your edits are safe.</source>
+        <translation>Das Grafikgerät ist ausgefallen und wird neu gestartet. Ihre Änderungen sind sicher.</translation>
     </message>
     <message>
-        <source>The graphics device is gone. Your edits are not affected: save, and start Patina again.</source>
-        <translation>Das Grafikgerät ist nicht mehr da. Ihre Bearbeitung ist nicht betroffen: Speichern Sie und starten Sie Patina neu.</translation>
+        <source>The graphics device is gone. Your edits are safe: save them and restart Patina.</source>
+        <translation>Das Grafikgerät ist nicht mehr da. Ihre Änderungen sind sicher: Speichern Sie sie und starten Sie Patina neu.</translation>
     </message>
 </context>
 <context>
@@ -1114,10 +2106,6 @@
 <context>
     <name>ui::MainWindow</name>
     <message>
-        <source>No canvas was asked for.</source>
-        <translation>Keine Zeichenfläche verlangt.</translation>
-    </message>
-    <message>
         <source>Analysing: %1, %2 %</source>
         <translation>Analyse: %1, %2 %</translation>
     </message>
@@ -1126,24 +2114,8 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>What is under the pointer</source>
-        <translation>Was unter dem Zeiger liegt</translation>
-    </message>
-    <message>
-        <source>What is being computed</source>
-        <translation>Was gerade berechnet wird</translation>
-    </message>
-    <message>
-        <source>Zoom: picture pixels to screen pixels</source>
-        <translation>Zoom: Bildpixel zu Bildschirmpixeln</translation>
-    </message>
-    <message>
         <source>Device in use</source>
         <translation>Verwendetes Gerät</translation>
-    </message>
-    <message>
-        <source>Progress of the picture</source>
-        <translation>Fortschritt des Bildes</translation>
     </message>
     <message>
         <source>Analysing</source>
@@ -1226,10 +2198,6 @@
         <translation>Gerät</translation>
     </message>
     <message>
-        <source>Compute on (from the next start):</source>
-        <translation>Rechnen auf (ab dem nächsten Start):</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
@@ -1272,10 +2240,6 @@
     <message>
         <source>&amp;Export picture…</source>
         <translation>Bild &amp;exportieren…</translation>
-    </message>
-    <message>
-        <source>Render the edited photograph to the end and save it</source>
-        <translation>Das bearbeitete Foto zu Ende rechnen und speichern</translation>
     </message>
     <message>
         <source>Export picture</source>
@@ -1330,28 +2294,12 @@
         <translation>&amp;Beenden</translation>
     </message>
     <message>
-        <source>Leave Patina</source>
-        <translation>Patina verlassen</translation>
-    </message>
-    <message>
         <source>&amp;Edit</source>
         <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
-        <source>Take back the last step</source>
-        <translation>Den letzten Schritt zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Repeat the step that was taken back</source>
-        <translation>Den zurückgenommenen Schritt wiederholen</translation>
-    </message>
-    <message>
         <source>&amp;Deselect</source>
         <translation>Auswahl auf&amp;heben</translation>
-    </message>
-    <message>
-        <source>Select no segment</source>
-        <translation>Kein Segment auswählen</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -1374,48 +2322,24 @@
         <translation>&amp;100 %</translation>
     </message>
     <message>
-        <source>One picture pixel on one screen pixel</source>
-        <translation>Ein Bildpixel auf einem Bildschirmpixel</translation>
-    </message>
-    <message>
         <source>Zoom &amp;in</source>
         <translation>Ver&amp;größern</translation>
-    </message>
-    <message>
-        <source>Larger</source>
-        <translation>Größer</translation>
     </message>
     <message>
         <source>Zoom &amp;out</source>
         <translation>Ver&amp;kleinern</translation>
     </message>
     <message>
-        <source>Smaller</source>
-        <translation>Kleiner</translation>
-    </message>
-    <message>
         <source>&amp;Brighter</source>
         <translation>&amp;Heller</translation>
-    </message>
-    <message>
-        <source>View a third of a stop brighter; the picture itself is not changed</source>
-        <translation>Ansicht eine Drittelblende heller; das Bild selbst bleibt gleich</translation>
     </message>
     <message>
         <source>&amp;Darker</source>
         <translation>&amp;Dunkler</translation>
     </message>
     <message>
-        <source>View a third of a stop darker; the picture itself is not changed</source>
-        <translation>Ansicht eine Drittelblende dunkler; das Bild selbst bleibt gleich</translation>
-    </message>
-    <message>
         <source>&amp;Normal exposure</source>
         <translation>&amp;Normale Belichtung</translation>
-    </message>
-    <message>
-        <source>View as exposed</source>
-        <translation>Ansicht wie belichtet</translation>
     </message>
     <message>
         <source>Selection ou&amp;tline</source>
@@ -1438,16 +2362,8 @@
         <translation>&amp;Handbuch</translation>
     </message>
     <message>
-        <source>How to use Patina</source>
-        <translation>Wie man Patina benutzt</translation>
-    </message>
-    <message>
         <source>&amp;About Patina</source>
         <translation>Ü&amp;ber Patina</translation>
-    </message>
-    <message>
-        <source>Version and device</source>
-        <translation>Version und Gerät</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -1458,24 +2374,12 @@
         <translation> Zeigen </translation>
     </message>
     <message>
-        <source>What to show</source>
-        <translation>Was gezeigt wird</translation>
-    </message>
-    <message>
-        <source>What the canvas shows. Hold C, or the right mouse button, to see the original.</source>
-        <translation>Was gezeigt wird. C oder die rechte Maustaste gedrückt halten, um das Original zu sehen.</translation>
-    </message>
-    <message>
         <source>  Exposure </source>
         <translation>  Belichtung </translation>
     </message>
     <message>
         <source>Exposure of the view</source>
         <translation>Belichtung der Ansicht</translation>
-    </message>
-    <message>
-        <source>Brightness of the view in stops; the picture itself is not changed</source>
-        <translation>Helligkeit der Ansicht in Blendenstufen; das Bild selbst bleibt gleich</translation>
     </message>
     <message>
         <source> EV</source>
@@ -1494,14 +2398,6 @@
         <translation>Über Patina</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Patina %1&lt;/h3&gt;&lt;p&gt;Changes what things in a photograph are made of.&lt;/p&gt;&lt;p&gt;After S. Bergmann, T. Ritschel, C. Dachsbacher, &lt;i&gt;Interactive Appearance Editing in RGB-D Images&lt;/i&gt;, VMV 2014.&lt;/p&gt;&lt;p&gt;Device: %2&lt;br&gt;Qt %3&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Patina %1&lt;/h3&gt;&lt;p&gt;Ändert, woraus Dinge in einem Foto bestehen.&lt;/p&gt;&lt;p&gt;Nach S. Bergmann, T. Ritschel, C. Dachsbacher, &lt;i&gt;Interactive Appearance Editing in RGB-D Images&lt;/i&gt;, VMV 2014.&lt;/p&gt;&lt;p&gt;Gerät: %2&lt;br&gt;Qt %3&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder neuer.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Please wait until the running work is done.</source>
-        <translation>Bitte warten Sie, bis die laufende Arbeit fertig ist.</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
@@ -1510,16 +2406,8 @@
         <translation>Abgebrochen.</translation>
     </message>
     <message>
-        <source>The project has changes that are not saved. Save them first?</source>
-        <translation>Das Projekt hat ungespeicherte Änderungen. Zuerst speichern?</translation>
-    </message>
-    <message>
         <source>Opening %1</source>
         <translation>%1 wird geöffnet</translation>
-    </message>
-    <message>
-        <source>Reading %1</source>
-        <translation>%1 wird gelesen</translation>
     </message>
     <message>
         <source>Open</source>
@@ -1558,10 +2446,6 @@
         <translation>Maß&amp;stab</translation>
     </message>
     <message>
-        <source>Show how large the selected translucent object is, in its substance</source>
-        <translation>Zeigen, wie groß das gewählte durchscheinende Objekt für seinen Stoff ist</translation>
-    </message>
-    <message>
         <source>Time limit, %1 of %2 samples</source>
         <translation>Zeitgrenze, %1 von %2 Abtastungen</translation>
     </message>
@@ -1574,8 +2458,116 @@
         <translation>Verfeinerung &amp;anhalten</translation>
     </message>
     <message>
-        <source>Show changes, but leave the device idle instead of refining them</source>
-        <translation>Änderungen zeigen, das Gerät aber ruhen lassen, statt sie zu verfeinern</translation>
+        <source>The canvas is disabled.</source>
+        <translation>Die Bildansicht ist abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Value under the pointer</source>
+        <translation>Wert unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Current work</source>
+        <translation>Aktuelle Arbeit</translation>
+    </message>
+    <message>
+        <source>Zoom: screen pixels per picture pixel</source>
+        <translation>Zoom: Bildschirmpixel pro Bildpixel</translation>
+    </message>
+    <message>
+        <source>Rendering progress</source>
+        <translation>Fortschritt des Bildes</translation>
+    </message>
+    <message>
+        <source>Render on (takes effect after restart):</source>
+        <translation>Rechnen auf (wirkt nach dem Neustart):</translation>
+    </message>
+    <message>
+        <source>Render the edited photograph with all samples and save it</source>
+        <translation>Das geänderte Foto mit allen Samples rechnen und speichern</translation>
+    </message>
+    <message>
+        <source>Quit Patina</source>
+        <translation>Patina beenden</translation>
+    </message>
+    <message>
+        <source>Undo the last change</source>
+        <translation>Die letzte Änderung rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Redo the last undone change</source>
+        <translation>Die zuletzt rückgängig gemachte Änderung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Clear the selection</source>
+        <translation>Die Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>Show one picture pixel per screen pixel</source>
+        <translation>Ein Bildpixel pro Bildschirmpixel zeigen</translation>
+    </message>
+    <message>
+        <source>Enlarge the view</source>
+        <translation>Ansicht vergrößern</translation>
+    </message>
+    <message>
+        <source>Shrink the view</source>
+        <translation>Ansicht verkleinern</translation>
+    </message>
+    <message>
+        <source>Brighten the view by a third of a stop; the picture stays the same</source>
+        <translation>Ansicht um eine Drittelblende aufhellen; das Bild bleibt gleich</translation>
+    </message>
+    <message>
+        <source>Darken the view by a third of a stop; the picture stays the same</source>
+        <translation>Ansicht um eine Drittelblende abdunkeln; das Bild bleibt gleich</translation>
+    </message>
+    <message>
+        <source>Show the picture at its own exposure</source>
+        <translation>Das Bild mit seiner eigenen Belichtung zeigen</translation>
+    </message>
+    <message>
+        <source>Show the scale of the selected translucent object</source>
+        <translation>Den Maßstab des ausgewählten durchscheinenden Objekts zeigen</translation>
+    </message>
+    <message>
+        <source>Show changes without refining them, so that the device stays idle</source>
+        <translation>Änderungen zeigen, aber nicht verfeinern, damit das Gerät ruht</translation>
+    </message>
+    <message>
+        <source>Read how to use Patina</source>
+        <translation>Die Anleitung zu Patina lesen</translation>
+    </message>
+    <message>
+        <source>Show version and graphics device</source>
+        <translation>Version und Grafikgerät zeigen</translation>
+    </message>
+    <message>
+        <source>Layer shown</source>
+        <translation>Gezeigte Ebene</translation>
+    </message>
+    <message>
+        <source>Choose what the canvas shows. Hold C or the right mouse button to see the original.</source>
+        <translation>Wählen, was die Bildansicht zeigt. Solange C oder die rechte Maustaste gedrückt ist, erscheint das Original.</translation>
+    </message>
+    <message>
+        <source>Brightness of the view in stops; the picture stays the same</source>
+        <translation>Helligkeit der Ansicht in Blendenstufen; das Bild bleibt gleich</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Patina %1&lt;/h3&gt;&lt;p&gt;Changes the materials of objects in a photograph.&lt;/p&gt;&lt;p&gt;After S. Bergmann, T. Ritschel, C. Dachsbacher, &lt;i&gt;Interactive Appearance Editing in RGB-D Images&lt;/i&gt;, VMV 2014.&lt;/p&gt;&lt;p&gt;Device: %2&lt;br&gt;Qt %3&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Patina %1&lt;/h3&gt;&lt;p&gt;Ändert das Material von Objekten in einem Foto.&lt;/p&gt;&lt;p&gt;Nach S. Bergmann, T. Ritschel, C. Dachsbacher, &lt;i&gt;Interactive Appearance Editing in RGB-D Images&lt;/i&gt;, VMV 2014.&lt;/p&gt;&lt;p&gt;Gerät: %2&lt;br&gt;Qt %3&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder neuer.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Please wait until the current task has finished.</source>
+        <translation>Bitte warten Sie, bis die laufende Arbeit fertig ist.</translation>
+    </message>
+    <message>
+        <source>The project has unsaved changes. Save them first?</source>
+        <translation>Das Projekt hat ungespeicherte Änderungen. Zuerst speichern?</translation>
+    </message>
+    <message>
+        <source>Loading %1</source>
+        <translation>%1 wird geladen</translation>
     </message>
 </context>
 <context>
@@ -1886,20 +2878,8 @@
         <translation>Foto</translation>
     </message>
     <message>
-        <source>The colour picture; EXR and HDR are taken as linear light</source>
-        <translation>Das Farbbild; EXR und HDR gelten als lineares Licht</translation>
-    </message>
-    <message>
         <source>Depth</source>
         <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>A depth map of the same view; leave it empty when the photograph carries its depth (phones&apos; portrait photos, EXR with a channel Z, point clouds)</source>
-        <translation>Eine Tiefenkarte derselben Ansicht; leer lassen, wenn das Foto seine Tiefe selbst enthält (Porträtfotos von Telefonen, EXR mit einem Kanal Z, Punktwolken)</translation>
-    </message>
-    <message>
-        <source>What the numbers in the depth file mean</source>
-        <translation>Was die Zahlen in der Tiefendatei bedeuten</translation>
     </message>
     <message>
         <source>Depth along the viewing axis</source>
@@ -1922,10 +2902,6 @@
         <translation>Tiefe ist</translation>
     </message>
     <message>
-        <source>Metres per stored unit; automatic is what the photograph says, else 1 for floating point files, 0.001 for 16-bit ones</source>
-        <translation>Meter je gespeicherter Einheit; automatisch gilt, was das Foto angibt, sonst 1 bei Gleitkommadateien, 0,001 bei 16 Bit</translation>
-    </message>
-    <message>
         <source>automatic</source>
         <translation>automatisch</translation>
     </message>
@@ -1942,14 +2918,6 @@
         <translation>Segmente</translation>
     </message>
     <message>
-        <source>A label map: one number per object, 0 for none</source>
-        <translation>Eine Segmentkarte: eine Zahl je Objekt, 0 für keines</translation>
-    </message>
-    <message>
-        <source>Horizontal field of view; automatic reads it from the photograph, else takes 60°</source>
-        <translation>Waagrechter Bildwinkel; automatisch liest ihn aus dem Foto, sonst 60°</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
     </message>
@@ -1964,6 +2932,30 @@
     <message>
         <source>Photographs (*.exr *.png *.jpg *.jpeg *.heic *.heif *.tif *.tiff *.hdr *.pfm *.pcd);;All files (*)</source>
         <translation>Fotos (*.exr *.png *.jpg *.jpeg *.heic *.heif *.tif *.tiff *.hdr *.pfm *.pcd);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Colour picture; EXR and HDR files are read as linear light</source>
+        <translation>Farbbild; EXR- und HDR-Dateien werden als lineares Licht gelesen</translation>
+    </message>
+    <message>
+        <source>Depth map of the same view. Leave empty if the photograph contains depth (portrait photos of phones, EXR with a Z channel, point clouds).</source>
+        <translation>Tiefenkarte derselben Ansicht. Leer lassen, wenn das Foto die Tiefe enthält (Porträtfotos von Handys, EXR mit Kanal Z, Punktwolken).</translation>
+    </message>
+    <message>
+        <source>Meaning of the numbers in the depth file</source>
+        <translation>Bedeutung der Zahlen in der Tiefendatei</translation>
+    </message>
+    <message>
+        <source>Metres per stored unit. Automatic uses what the photograph states, otherwise 1 for floating-point files and 0.001 for 16-bit files.</source>
+        <translation>Meter pro gespeicherter Einheit. „Automatisch“ nimmt die Angabe des Fotos, sonst 1 für Gleitkomma-Dateien und 0,001 für 16-Bit-Dateien.</translation>
+    </message>
+    <message>
+        <source>Label map: one number per object, 0 for none</source>
+        <translation>Segmentkarte: eine Zahl pro Objekt, 0 für keines</translation>
+    </message>
+    <message>
+        <source>Horizontal field of view. Automatic reads it from the photograph, otherwise assumes 60°.</source>
+        <translation>Horizontaler Bildwinkel. „Automatisch“ liest ihn aus dem Foto und nimmt sonst 60° an.</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ui/background_task.h"
+#include "ui/words.h"
 
 namespace ui {
 
@@ -27,7 +28,7 @@ void AnalysisWorker::request(std::uint64_t generation, const core::Scene& scene)
     {
         const std::lock_guard lock(mutex_);
         waiting_ = Request{generation, scene};
-        if (inWork_ != nullptr && inWork_ != scene.photo) cancel_ = true;
+        if (current_ != nullptr && current_ != scene.photo) cancel_ = true;
     }
     wake_.notify_one();
 }
@@ -43,12 +44,12 @@ void AnalysisWorker::loop() {
         Request request;
         {
             std::unique_lock lock(mutex_);
-            inWork_.reset();
+            current_.reset();
             wake_.wait(lock, [this] { return quit_ || waiting_.has_value(); });
             if (quit_) return;
             request = std::move(*waiting_);
             waiting_.reset();
-            inWork_ = request.scene.photo;
+            current_ = request.scene.photo;
             cancel_ = false;
         }
         analyse(request);
@@ -71,10 +72,9 @@ void AnalysisWorker::analyse(const Request& request) {
         if (kernels_) result->notes = kernels_->takeNotes();
         emit finished(std::move(result));
     } catch (const core::Error& error) {
-        if (error.kind() != core::ErrorKind::Cancelled)
-            emit failed(request.generation, QString::fromUtf8(error.what()));
+        if (error.kind() != core::ErrorKind::Cancelled) emit failed(request.generation, translated(error));
     } catch (const std::exception& error) {
-        emit failed(request.generation, QString::fromUtf8(error.what()));
+        emit failed(request.generation, translated(error));
     }
 }
 

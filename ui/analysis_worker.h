@@ -25,25 +25,27 @@ struct AnalysisResult {
     std::uint64_t generation = 0;  ///< Workspace::generation of `scene`
     core::Scene scene;
     std::shared_ptr<const core::Analysis> analysis;
-    std::vector<std::string> notes;  ///< what went otherwise than asked for, full sentences
+    core::Notes notes;  ///< about the device that computed it
 };
 
-/// Runs core::AnalysisPipeline on a thread of its own. A mailbox with one slot: only the latest request waits, the one
-/// in work is finished (so that dragging a slider shows intermediate results) unless it belongs to another photograph.
+/// Runs core::AnalysisPipeline on a thread of its own. A mailbox with one slot: only the latest request waits. The
+/// current one is finished, so that dragging a slider shows intermediate results, unless it belongs to another
+/// photograph.
 class AnalysisWorker : public QObject {
     Q_OBJECT
   public:
     explicit AnalysisWorker(QObject* parent = nullptr);
     ~AnalysisWorker() override;
 
-    /// Makes what computes the dear pieces of the analysis, nullptr = the CPU. Called on the worker's thread when the
-    /// first analysis begins, and again if it throws (the analysis then fails with its message). Before any request.
+    /// Creates the kernels for the expensive parts of the analysis, nullptr = the CPU. Called on the worker's thread at
+    /// the start of the first analysis, and again after it has thrown, which fails the analysis with its message. Set
+    /// before any request.
     using MakeKernels = std::function<std::unique_ptr<core::AnalysisKernels>()>;
     void setKernels(MakeKernels makeKernels) { makeKernels_ = std::move(makeKernels); }
 
     /// Replaces a waiting request. From the owner's thread.
     void request(std::uint64_t generation, const core::Scene& scene);
-    /// Forgets the waiting request and stops the one in work.
+    /// Drops the waiting request and stops the current one.
     void cancel();
 
   signals:
@@ -61,9 +63,9 @@ class AnalysisWorker : public QObject {
 
     std::mutex mutex_;
     std::condition_variable wake_;
-    std::optional<Request> waiting_;             ///< guarded by mutex_
-    std::shared_ptr<const core::Photo> inWork_;  ///< guarded by mutex_
-    bool quit_ = false;                          ///< guarded by mutex_
+    std::optional<Request> waiting_;              ///< guarded by mutex_
+    std::shared_ptr<const core::Photo> current_;  ///< guarded by mutex_
+    bool quit_ = false;                           ///< guarded by mutex_
     std::atomic<bool> cancel_ = false;
     MakeKernels makeKernels_;                         ///< empty once it was called with success
     std::unique_ptr<core::AnalysisKernels> kernels_;  ///< used by the thread only

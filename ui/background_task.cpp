@@ -40,13 +40,10 @@ void BackgroundTask::start() {
                 &cancel_));
         } catch (const core::Error& error) {
             end = error.kind() == core::ErrorKind::Cancelled ? End::Cancelled : End::Failed;
-            sentence = QString::fromUtf8(error.what());
-        } catch (const std::bad_alloc&) {
-            end = End::Failed;
-            sentence = tr("There is not enough memory for this.");
+            sentence = translated(error);
         } catch (const std::exception& error) {
             end = End::Failed;
-            sentence = QString::fromUtf8(error.what());
+            sentence = translated(error);
         }
         QMetaObject::invokeMethod(
             this,

@@ -29,9 +29,10 @@
 #include "render/analysis/gpu_analysis_kernels.h"
 #include "render/kernels/brdf_check.h"
 #include "ui/canvas/mask_painter.h"
-#include "ui/canvas/ruler.h"
+#include "ui/canvas/substance_ruler.h"
 #include "ui/panels/registry.h"
 #include "ui/vulkan_support.h"
+#include "ui/words.h"
 
 namespace ui {
 
@@ -47,12 +48,12 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWin
     if (options_.device.isEmpty() && !qEnvironmentVariableIsSet("PATINA_DEVICE")) {
         options_.device = QSettings().value(QStringLiteral("device")).toString();
     }
-    QString problem = tr("No canvas was asked for.");
+    QString problem = tr("The canvas is disabled.");
     if (options_.canvas) {
         try {
             vulkan_ = createVulkanInstance(problem);
         } catch (const gpu::Error& error) {
-            problem = QString::fromUtf8(error.what());
+            problem = translated(error);
         }
     }
     canvas_ = new Canvas(vulkan_.get(), problem, options_.device, this);
@@ -101,7 +102,7 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWin
 }
 
 MainWindow::~MainWindow() {
-    // Whoever still works must not call back into a window that is half gone.
+    // Work that is still running must not call back into a half-destroyed window.
     task_.reset();
     layerTask_.reset();
     worker_.disconnect(this);
@@ -127,13 +128,13 @@ void MainWindow::makeStatusBar() {
         label->setContentsMargins(6, 0, 6, 0);
         return label;
     };
-    valueLabel_ = add(QStringLiteral("cursorValue"), tr("What is under the pointer"), 0);
-    progressLabel_ = add(QStringLiteral("progressText"), tr("What is being computed"), 0);
-    zoomLabel_ = add(QStringLiteral("zoomText"), tr("Zoom: picture pixels to screen pixels"), 48);
+    valueLabel_ = add(QStringLiteral("cursorValue"), tr("Value under the pointer"), 0);
+    progressLabel_ = add(QStringLiteral("progressText"), tr("Current work"), 0);
+    zoomLabel_ = add(QStringLiteral("zoomText"), tr("Zoom: screen pixels per picture pixel"), 48);
     deviceLabel_ = add(QStringLiteral("deviceName"), tr("Device in use"), 0);
     progressBar_ = new QProgressBar(this);
     progressBar_->setObjectName(QStringLiteral("progressBar"));
-    progressBar_->setAccessibleName(tr("Progress of the picture"));
+    progressBar_->setAccessibleName(tr("Rendering progress"));
     progressBar_->setFixedWidth(110);
     progressBar_->setMaximumHeight(14);
     progressBar_->setTextVisible(false);
@@ -203,13 +204,12 @@ void MainWindow::analysisFinished(const std::shared_ptr<const AnalysisResult>& r
     refreshLayerPicture();
     updateProgress();
     if (!current) return;
-    QStringList notes;
-    for (const std::string& note : core::analysisNotes(workspace_.scene(), *result->analysis))
-        notes << QString::fromStdString(note);
-    for (const std::string& note : result->notes) notes << QString::fromStdString(note);
-    if (notes == analysisNotes_) return;
-    analysisNotes_ = notes;
-    if (!notes.isEmpty()) statusBar()->showMessage(notes.join(' '), kAnalysisNotesMilliseconds);
+    core::Notes notes = core::analysisNotes(workspace_.scene(), *result->analysis);
+    notes.insert(notes.end(), result->notes.begin(), result->notes.end());
+    const QString sentences = translated(notes);
+    if (sentences == analysisNotes_) return;
+    analysisNotes_ = sentences;
+    if (!sentences.isEmpty()) statusBar()->showMessage(sentences, kAnalysisNotesMilliseconds);
 }
 
 void MainWindow::setLayer(ViewLayer layer) {
@@ -394,14 +394,14 @@ void MainWindow::chooseDevice() {
             names << QString::fromStdString(adapter.info().name);
         }
     } catch (const gpu::Error& error) {
-        showError(QString::fromUtf8(error.what()));
+        showError(translated(error));
         return;
     }
     QSettings settings;
     const int current =
         std::max(0, static_cast<int>(names.indexOf(settings.value(QStringLiteral("device")).toString())));
     bool accepted = false;
-    const QString name = QInputDialog::getItem(this, tr("Device"), tr("Compute on (from the next start):"), names,
+    const QString name = QInputDialog::getItem(this, tr("Device"), tr("Render on (takes effect after restart):"), names,
                                                current, false, &accepted);
     if (accepted) settings.setValue(QStringLiteral("device"), name == names.front() ? QString() : name);
 }

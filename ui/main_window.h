@@ -99,8 +99,8 @@ class MainWindow : public QMainWindow {
     void endTask();
     /// Calls `proceed` at once, or after the user has decided what becomes of unsaved changes.
     void confirmDiscard(std::function<void()> proceed);
-    void openScene(const QString& title, std::function<core::Scene(std::vector<std::string>*)> load,
-                   const QString& path);
+    using LoadScene = std::function<core::Scene(core::Notes*, const core::Progress&)>;
+    void openScene(const QString& title, LoadScene load, const QString& path);
     void addRecent(const QString& path);
     void refreshRecent();
     void readSettings();
@@ -120,7 +120,7 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<BackgroundTask> layerTask_;
     QProgressDialog* progressDialog_ = nullptr;
     bool analysing_ = false;
-    QStringList analysisNotes_;  ///< last shown
+    QString analysisNotes_;  ///< last shown
     QString analysisStep_;
     bool closing_ = false;
     ViewLayer layer_ = ViewLayer::Result;

@@ -14,7 +14,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
-#include "ui/canvas/ruler.h"
+#include "ui/canvas/substance_ruler.h"
 #include "ui/main_window.h"
 
 namespace ui {
@@ -53,7 +53,7 @@ void MainWindow::makeFileMenu() {
     menu->addSeparator();
     exportPicture_ = addAction(
         menu, "actionExportPicture", tr("&Export picture…"), QKeySequence(Qt::CTRL | Qt::Key_E),
-        tr("Render the edited photograph to the end and save it"), [this] {
+        tr("Render the edited photograph with all samples and save it"), [this] {
             chooseExport(tr("Export picture"), QStringLiteral("edited.png"),
                          tr("PNG, 16 bit (*.png);;OpenEXR, linear (*.exr);;TIFF, 16 bit (*.tif);;JPEG (*.jpg);;"
                             "Radiance HDR, linear (*.hdr)"),
@@ -74,19 +74,19 @@ void MainWindow::makeFileMenu() {
     menu->addSeparator();
     addAction(menu, "actionDevice", tr("&Device…"), {}, tr("Choose the graphics device"), [this] { chooseDevice(); });
     menu->addSeparator();
-    addAction(menu, "actionQuit", tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), tr("Leave Patina"),
+    addAction(menu, "actionQuit", tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), tr("Quit Patina"),
               [this] { close(); });
 }
 
 void MainWindow::makeEditMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&Edit"));
-    undo_ = addAction(menu, "actionUndo", tr("&Undo"), QKeySequence::Undo, tr("Take back the last step"),
+    undo_ = addAction(menu, "actionUndo", tr("&Undo"), QKeySequence::Undo, tr("Undo the last change"),
                       [this] { workspace_.document().undo(); });
     redo_ = addAction(menu, "actionRedo", tr("&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z),
-                      tr("Repeat the step that was taken back"), [this] { workspace_.document().redo(); });
+                      tr("Redo the last undone change"), [this] { workspace_.document().redo(); });
     menu->addSeparator();
     addAction(menu, "actionDeselect", tr("&Deselect"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
-              tr("Select no segment"), [this] { workspace_.select(0); });
+              tr("Clear the selection"), [this] { workspace_.select(0); });
 }
 
 void MainWindow::makeViewMenu() {
@@ -105,21 +105,21 @@ void MainWindow::makeViewMenu() {
     addAction(menu, "actionFit", tr("&Fit in window"), QKeySequence(Qt::CTRL | Qt::Key_0), tr("Show the whole picture"),
               [this] { canvas_->zoomToFit(); });
     addAction(menu, "actionZoom100", tr("&100 %"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_0),
-              tr("One picture pixel on one screen pixel"), [this] { canvas_->setZoom(1); });
-    addAction(menu, "actionZoomIn", tr("Zoom &in"), QKeySequence::ZoomIn, tr("Larger"),
+              tr("Show one picture pixel per screen pixel"), [this] { canvas_->setZoom(1); });
+    addAction(menu, "actionZoomIn", tr("Zoom &in"), QKeySequence::ZoomIn, tr("Enlarge the view"),
               [this] { canvas_->setZoom(canvas_->zoom() * 1.4142); });
-    addAction(menu, "actionZoomOut", tr("Zoom &out"), QKeySequence::ZoomOut, tr("Smaller"),
+    addAction(menu, "actionZoomOut", tr("Zoom &out"), QKeySequence::ZoomOut, tr("Shrink the view"),
               [this] { canvas_->setZoom(canvas_->zoom() / 1.4142); });
     menu->addSeparator();
     constexpr double kStep = 1.0 / 3;
     addAction(menu, "actionExposureUp", tr("&Brighter"), QKeySequence(Qt::CTRL | Qt::Key_BracketRight),
-              tr("View a third of a stop brighter; the picture itself is not changed"),
+              tr("Brighten the view by a third of a stop; the picture stays the same"),
               [this] { setExposure(exposureStops_ + kStep); });
     addAction(menu, "actionExposureDown", tr("&Darker"), QKeySequence(Qt::CTRL | Qt::Key_BracketLeft),
-              tr("View a third of a stop darker; the picture itself is not changed"),
+              tr("Darken the view by a third of a stop; the picture stays the same"),
               [this] { setExposure(exposureStops_ - kStep); });
     addAction(menu, "actionExposureReset", tr("&Normal exposure"), QKeySequence(Qt::CTRL | Qt::Key_Backslash),
-              tr("View as exposed"), [this] { setExposure(0); });
+              tr("Show the picture at its own exposure"), [this] { setExposure(0); });
     menu->addSeparator();
     QAction* outline = addAction(menu, "actionOutline", tr("Selection ou&tline"), QKeySequence(Qt::CTRL | Qt::Key_H),
                                  tr("Outline the selected segment"), [] {});
@@ -127,12 +127,12 @@ void MainWindow::makeViewMenu() {
     outline->setChecked(true);
     connect(outline, &QAction::toggled, this, [this](bool on) { canvas_->setOutlineShown(on); });
     QAction* ruler = addAction(menu, "actionRuler", tr("&Ruler"), QKeySequence(Qt::CTRL | Qt::Key_R),
-                               tr("Show how large the selected translucent object is, in its substance"), [] {});
+                               tr("Show the scale of the selected translucent object"), [] {});
     ruler->setCheckable(true);
     ruler->setChecked(true);
     connect(ruler, &QAction::toggled, ruler_, &SubstanceRuler::setShown);
     QAction* pause = addAction(menu, "actionPause", tr("&Pause refinement"), QKeySequence(Qt::CTRL | Qt::Key_P),
-                               tr("Show changes, but leave the device idle instead of refining them"), [] {});
+                               tr("Show changes without refining them, so that the device stays idle"), [] {});
     pause->setCheckable(true);
     connect(pause, &QAction::toggled, this, [this](bool on) {
         canvas_->setRefining(!on);
@@ -143,9 +143,10 @@ void MainWindow::makeViewMenu() {
 
 void MainWindow::makeHelpMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&Help"));
-    addAction(menu, "actionManual", tr("&Manual"), QKeySequence::HelpContents, tr("How to use Patina"),
+    addAction(menu, "actionManual", tr("&Manual"), QKeySequence::HelpContents, tr("Read how to use Patina"),
               [this] { showManual(); });
-    addAction(menu, "actionAbout", tr("&About Patina"), {}, tr("Version and device"), [this] { showAbout(); });
+    addAction(menu, "actionAbout", tr("&About Patina"), {}, tr("Show version and graphics device"),
+              [this] { showAbout(); });
 }
 
 void MainWindow::makeToolBar() {
@@ -163,8 +164,8 @@ void MainWindow::makeToolBar() {
     bar->addWidget(new QLabel(tr(" Show "), bar));
     layerBox_ = new QComboBox(bar);
     layerBox_->setObjectName(QStringLiteral("layerBox"));
-    layerBox_->setAccessibleName(tr("What to show"));
-    layerBox_->setToolTip(tr("What the canvas shows. Hold C, or the right mouse button, to see the original."));
+    layerBox_->setAccessibleName(tr("Layer shown"));
+    layerBox_->setToolTip(tr("Choose what the canvas shows. Hold C or the right mouse button to see the original."));
     for (const ViewLayer layer : kViewLayers) layerBox_->addItem(layerTitle(layer));
     connect(layerBox_, &QComboBox::currentIndexChanged, this,
             [this](int index) { setLayer(kViewLayers.at(static_cast<std::size_t>(index))); });
@@ -173,7 +174,7 @@ void MainWindow::makeToolBar() {
     exposureBox_ = new QDoubleSpinBox(bar);
     exposureBox_->setObjectName(QStringLiteral("exposure"));
     exposureBox_->setAccessibleName(tr("Exposure of the view"));
-    exposureBox_->setToolTip(tr("Brightness of the view in stops; the picture itself is not changed"));
+    exposureBox_->setToolTip(tr("Brightness of the view in stops; the picture stays the same"));
     exposureBox_->setRange(-10, 10);
     exposureBox_->setSingleStep(1.0 / 3);
     exposureBox_->setDecimals(2);
@@ -208,7 +209,7 @@ void MainWindow::showAbout() {
     const QString device = canvas_->deviceName().isEmpty() ? tr("none") : canvas_->deviceName();
     auto* box = new QMessageBox(
         QMessageBox::NoIcon, tr("About Patina"),
-        tr("<h3>Patina %1</h3><p>Changes what things in a photograph are made of.</p>"
+        tr("<h3>Patina %1</h3><p>Changes the materials of objects in a photograph.</p>"
            "<p>After S. Bergmann, T. Ritschel, C. Dachsbacher, <i>Interactive Appearance Editing in RGB-D Images</i>, "
            "VMV 2014.</p><p>Device: %2<br>Qt %3</p><p>Free software under the GNU General Public License, version 3 or "
            "later.</p>")

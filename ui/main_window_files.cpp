@@ -20,6 +20,7 @@
 #include "render/renderer.h"
 #include "ui/main_window.h"
 #include "ui/new_photo_dialog.h"
+#include "ui/words.h"
 
 namespace ui {
 
@@ -27,11 +28,13 @@ namespace {
 constexpr int kRecentCount = 10;
 const char* const kRecentKey = "recentFiles";
 constexpr int kNotesMilliseconds = 15000;
+/// Share of the time to open a file that reading takes; converting the picture for the canvas takes the rest.
+constexpr float kLoadedEnd = 0.95f;
 }  // namespace
 
 void MainWindow::runTask(const QString& title, BackgroundTask::Work work, std::function<void()> succeeded) {
     if (task_ != nullptr) {
-        statusBar()->showMessage(tr("Please wait until the running work is done."), 4000);
+        statusBar()->showMessage(tr("Please wait until the current task has finished."), 4000);
         return;
     }
     progressDialog_ = new QProgressDialog(title, tr("Cancel"), 0, 1000, this);
@@ -50,7 +53,8 @@ void MainWindow::runTask(const QString& title, BackgroundTask::Work work, std::f
         progressDialog_->setValue(static_cast<int>(fraction * 1000));
     });
     connect(task_.get(), &BackgroundTask::succeeded, this, [this, succeeded = std::move(succeeded)] {
-        const auto then = succeeded;  // the task, and with it this lambda, ends first
+        // A copy, because endTask() destroys this lambda.
+        const auto then = succeeded;
         endTask();
         then();
     });
@@ -78,9 +82,9 @@ void MainWindow::confirmDiscard(std::function<void()> proceed) {
         proceed();
         return;
     }
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Patina"),
-                                tr("The project has changes that are not saved. Save them first?"),
-                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    auto* box =
+        new QMessageBox(QMessageBox::Question, tr("Patina"), tr("The project has unsaved changes. Save them first?"),
+                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
     box->setObjectName(QStringLiteral("discardDialog"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     connect(box, &QMessageBox::buttonClicked, this, [this, box, proceed = std::move(proceed)](QAbstractButton* button) {
@@ -102,31 +106,36 @@ void MainWindow::openFile(const QString& path) {
     confirmDiscard([this, path] {
         openScene(
             tr("Opening %1").arg(QFileInfo(path).fileName()),
-            [path](std::vector<std::string>* notes) { return core::loadProject(path.toStdString(), notes); }, path);
+            [path](core::Notes* notes, const core::Progress& progress) {
+                return core::loadProject(path.toStdString(), notes, progress);
+            },
+            path);
     });
 }
 
 void MainWindow::createFrom(const core::CreateOptions& options) {
     confirmDiscard([this, options] {
-        openScene(tr("Reading %1").arg(QFileInfo(QString::fromStdString(options.color)).fileName()),
-                  [options](std::vector<std::string>* notes) { return core::createScene(options, notes); }, {});
+        openScene(tr("Loading %1").arg(QFileInfo(QString::fromStdString(options.color)).fileName()),
+                  [options](core::Notes* notes, const core::Progress& progress) {
+                      return core::createScene(options, notes, progress);
+                  },
+                  {});
     });
 }
 
-void MainWindow::openScene(const QString& title, std::function<core::Scene(std::vector<std::string>*)> load,
-                           const QString& path) {
+void MainWindow::openScene(const QString& title, LoadScene load, const QString& path) {
     struct Loaded {
         core::Scene scene;
-        std::vector<std::string> notes;
+        core::Notes notes;
         std::shared_ptr<const CanvasPicture> original;
     };
     auto loaded = std::make_shared<Loaded>();
     runTask(
         title,
-        [loaded, load = std::move(load)](const core::Progress& progress) {
-            progress.checkpoint(0);
-            loaded->scene = load(&loaded->notes);
-            progress.checkpoint(0.7f);
+        [loaded, load = std::move(load)](const core::Progress& whole) {
+            const core::Progress progress = whole.of(core::Task::LoadPhoto);
+            loaded->scene = load(&loaded->notes, progress.part(0, kLoadedEnd));
+            progress.checkpoint(kLoadedEnd);
             loaded->original = makeCanvasPicture({loaded->scene.photo->color, false});
             progress.checkpoint(1);
         },
@@ -135,9 +144,7 @@ void MainWindow::openScene(const QString& title, std::function<core::Scene(std::
             canvas_->setOriginal(loaded->original);
             refreshLayerPicture();
             if (!path.isEmpty()) addRecent(path);
-            QStringList notes;
-            for (const std::string& note : loaded->notes) notes << QString::fromStdString(note);
-            if (!notes.isEmpty()) statusBar()->showMessage(notes.join(' '), kNotesMilliseconds);
+            if (!loaded->notes.empty()) statusBar()->showMessage(translated(loaded->notes), kNotesMilliseconds);
         });
 }
 
@@ -180,7 +187,7 @@ void MainWindow::saveTo(const QString& path, std::function<void()> then) {
         tr("Saving %1").arg(QFileInfo(path).fileName()),
         [scene = workspace_.scene(), path](const core::Progress&) { core::saveProject(scene, path.toStdString()); },
         [this, path, generation, then = std::move(then)] {
-            // A step made while the file was written is not in the file.
+            // Changes made during the write are not in the file.
             if (generation == workspace_.generation()) workspace_.document().setSaved(path.toStdString());
             addRecent(path);
             updateTitle();
@@ -201,7 +208,7 @@ void MainWindow::chooseExport(const QString& title, const QString& name, const Q
 void MainWindow::exportPicture(const QString& path) {
     if (!workspace_.hasPhoto()) return;
     const std::shared_ptr<const core::Analysis> known = analysing_ ? nullptr : workspace_.analysis();
-    // The device is shared with the export: the preview waits.
+    // The preview waits, because the export uses the same device.
     canvas_->setSuspended(true);
     runTask(
         tr("Exporting %1").arg(QFileInfo(path).fileName()),

@@ -23,15 +23,15 @@ NewPhotoDialog::NewPhotoDialog(QWidget* parent) : QDialog(parent) {
     const QString photographs =
         tr("Photographs (*.exr *.png *.jpg *.jpeg *.heic *.heif *.tif *.tiff *.hdr *.pfm *.pcd);;All files (*)");
     color_ = addFileRow(*form, QStringLiteral("newColor"), tr("Photograph"),
-                        tr("The colour picture; EXR and HDR are taken as linear light"), photographs);
-    depth_ = addFileRow(
-        *form, QStringLiteral("newDepth"), tr("Depth"),
-        tr("A depth map of the same view; leave it empty when the photograph carries its depth (phones' portrait "
-           "photos, EXR with a channel Z, point clouds)"),
-        pictures);
+                        tr("Colour picture; EXR and HDR files are read as linear light"), photographs);
+    depth_ = addFileRow(*form, QStringLiteral("newDepth"), tr("Depth"),
+                        tr("Depth map of the same view. Leave empty if the photograph contains depth (portrait photos "
+                           "of phones, EXR with "
+                           "a Z channel, point clouds)."),
+                        pictures);
     depthKind_ = new QComboBox(this);
     depthKind_->setObjectName(QStringLiteral("newDepthKind"));
-    depthKind_->setToolTip(tr("What the numbers in the depth file mean"));
+    depthKind_->setToolTip(tr("Meaning of the numbers in the depth file"));
     depthKind_->addItem(tr("Depth along the viewing axis"), static_cast<int>(core::DepthKind::Z));
     depthKind_->addItem(tr("Distance from the camera"), static_cast<int>(core::DepthKind::Distance));
     depthKind_->addItem(tr("Disparity (phones)"), static_cast<int>(core::DepthKind::Disparity));
@@ -39,19 +39,20 @@ NewPhotoDialog::NewPhotoDialog(QWidget* parent) : QDialog(parent) {
     form->addRow(tr("Depth is"), depthKind_);
     depthUnit_ = new QDoubleSpinBox(this);
     depthUnit_->setObjectName(QStringLiteral("newDepthUnit"));
-    depthUnit_->setToolTip(
-        tr("Metres per stored unit; automatic is what the photograph says, else 1 for floating point files, 0.001 for "
-           "16-bit ones"));
+    depthUnit_->setToolTip(tr(
+        "Metres per stored unit. Automatic uses what the photograph states, otherwise 1 for floating-point files and "
+        "0.001 for 16-bit files."));
     depthUnit_->setRange(0, 1000);
     depthUnit_->setDecimals(6);
     depthUnit_->setSpecialValueText(tr("automatic"));
     depthUnit_->setSuffix(tr(" m"));
     form->addRow(tr("Depth unit"), depthUnit_);
     segments_ = addFileRow(*form, QStringLiteral("newSegments"), tr("Segments"),
-                           tr("A label map: one number per object, 0 for none"), pictures);
+                           tr("Label map: one number per object, 0 for none"), pictures);
     fieldOfView_ = new QDoubleSpinBox(this);
     fieldOfView_->setObjectName(QStringLiteral("newFieldOfView"));
-    fieldOfView_->setToolTip(tr("Horizontal field of view; automatic reads it from the photograph, else takes 60°"));
+    fieldOfView_->setToolTip(
+        tr("Horizontal field of view. Automatic reads it from the photograph, otherwise assumes 60°."));
     fieldOfView_->setRange(0, 170);
     fieldOfView_->setDecimals(2);
     fieldOfView_->setSpecialValueText(tr("automatic"));

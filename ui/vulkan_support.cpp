@@ -20,7 +20,8 @@ std::unique_ptr<QVulkanInstance> createVulkanInstance(QString& problem) {
         instance->setExtensions({"VK_EXT_debug_utils"});
     }
     if (instance->create()) return instance;
-    problem = QCoreApplication::translate("ui", "Vulkan is not available here (error %1): the picture cannot be shown.")
+    problem = QCoreApplication::translate(
+                  "ui", "Vulkan is not available on this system (error %1), so the picture cannot be shown.")
                   .arg(static_cast<int>(instance->errorCode()));
     return nullptr;
 }

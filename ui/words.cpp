@@ -2,6 +2,8 @@
 #include "ui/words.h"
 
 #include <QCoreApplication>
+#include <QStringList>
+#include <new>
 
 namespace ui {
 
@@ -36,6 +38,48 @@ QString taskName(core::Task task) {
             return say(QT_TRANSLATE_NOOP("tasks", "Running benchmarks"));
     }
     return {};
+}
+
+namespace {
+
+QString settingHint(core::Setting setting) {
+    switch (setting) {
+        case core::Setting::None:
+            break;
+        case core::Setting::DepthUnit:
+            return QCoreApplication::translate("messages",
+                                               "It is \"Depth unit\" under File > New from photo and depth.");
+        case core::Setting::DepthUnitOrKind:
+            return QCoreApplication::translate(
+                "messages", "They are \"Depth unit\" and \"Depth is\" under File > New from photo and depth.");
+        case core::Setting::FieldOfView:
+            return QCoreApplication::translate("messages",
+                                               "\"Field of view\" under File > New from photo and depth sets it.");
+    }
+    return {};
+}
+
+}  // namespace
+
+QString translated(const core::Message& message) {
+    const QString sentence = QString::fromStdString(message.text([](const char* context, const std::string& pattern) {
+        return QCoreApplication::translate(context, pattern.c_str()).toStdString();
+    }));
+    const QString hint = settingHint(message.setting());
+    return hint.isEmpty() ? sentence : sentence + QLatin1Char(' ') + hint;
+}
+
+QString translated(const std::exception& error) {
+    if (const auto* known = dynamic_cast<const core::Error*>(&error)) return translated(known->message());
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
+        return QCoreApplication::translate("messages", "There is not enough memory for this.");
+    return QString::fromUtf8(error.what());
+}
+
+QString translated(std::span<const core::Message> notes) {
+    QStringList sentences;
+    for (const core::Message& note : notes) sentences << translated(note);
+    return sentences.join(QLatin1Char(' '));
 }
 
 }  // namespace ui

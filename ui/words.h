@@ -2,12 +2,22 @@
 #pragma once
 
 #include <QString>
+#include <exception>
+#include <span>
 
+#include "core/base/error.h"
 #include "core/base/progress.h"
 
 namespace ui {
 
-/// What the window calls a task, translated: "Recovering depth". From any thread.
+/// Translated name of a task: "Recovering depth". From any thread.
 [[nodiscard]] QString taskName(core::Task task);
+
+/// The message in the window's language, followed by where its setting is. From any thread.
+[[nodiscard]] QString translated(const core::Message& message);
+/// The error's message, in the window's language if it is a core::Error. From any thread.
+[[nodiscard]] QString translated(const std::exception& error);
+/// All messages, separated by spaces. From any thread.
+[[nodiscard]] QString translated(std::span<const core::Message> notes);
 
 }  // namespace ui

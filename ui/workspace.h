@@ -13,8 +13,8 @@
 
 namespace ui {
 
-/// What is open in a window: the document, the selection, the analysis that belongs to it. Panels edit through
-/// `document()` and listen here; nothing in it computes.
+/// The open document of a window with its selection and analysis. Panels edit through `document()` and listen here;
+/// nothing in it computes.
 class Workspace : public QObject {
     Q_OBJECT
   public:
@@ -24,10 +24,10 @@ class Workspace : public QObject {
     [[nodiscard]] const core::Document& document() const { return document_; }
     [[nodiscard]] const core::Scene& scene() const { return document_.scene(); }
     [[nodiscard]] bool hasPhoto() const { return scene().photo != nullptr; }
-    /// Another project: selection and analysis start anew.
+    /// Opens another project; resets selection and analysis.
     void setDocument(core::Document document);
 
-    /// Grows with every change, over documents too.
+    /// Grows with every change, also across documents.
     [[nodiscard]] std::uint64_t generation() const { return generation_; }
     /// Generation of the last change that made the analysis stale.
     [[nodiscard]] std::uint64_t analysisGeneration() const { return analysisGeneration_; }
@@ -41,18 +41,18 @@ class Workspace : public QObject {
     [[nodiscard]] const std::shared_ptr<const core::Analysis>& analysis() const { return analysis_; }
     void setAnalysis(std::shared_ptr<const core::Analysis> analysis);
 
-    /// One edit of the selected segment, as an undo step (see core::Document::edit). Nothing without a selection.
+    /// One edit of the selected segment, as an undo step (see core::Document::edit). Does nothing without a selection.
     void editSelected(const QString& label, const std::function<void(core::Segment&)>& change,
                       const QString& mergeKey = {});
     /// One edit of the scene.
     void editScene(const QString& label, const std::function<void(core::Scene&)>& change, const QString& mergeKey = {});
     void endMerge() { document_.endMerge(); }
 
-    /// Parameter of the selected segment's edit whose mask the pointer paints; "" = the pointer selects and moves.
+    /// The parameter whose mask the pointer paints, in the selected segment's edit; "" = the pointer selects and moves.
     [[nodiscard]] const std::string& paintedParameter() const { return painted_; }
-    /// "" or a parameter with a drive by mask; nothing happens for any other.
+    /// "" or a parameter with a drive by mask; ignores any other.
     void setPaintedParameter(const std::string& parameter);
-    /// The drive that is painted; nullptr = none.
+    /// The painted drive; nullptr = none.
     [[nodiscard]] const core::Drive* paintedDrive() const;
     [[nodiscard]] const core::Brush& brush() const { return brush_; }
     void setBrush(const core::Brush& brush);

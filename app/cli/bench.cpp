@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The bundled sample: beside an installed program, or in the source tree this program was built from.
+/// The bundled sample, beside an installed program or in the source tree of this build.
 std::string bundledSample() {
     std::error_code code;
     const fs::path program = fs::read_symlink("/proc/self/exe", code);
@@ -33,7 +33,7 @@ std::string bundledSample() {
                                                   "\" is not installed; give a project with --project.");
 }
 
-/// A line per metric; what the CPU and the device took for the same thing stands side by side.
+/// One line per metric; times of CPU and device for the same work stand side by side.
 void printTable(const std::vector<render::BenchResult>& results) {
     const std::string cpu = "cpu_seconds.";
     const std::string gpu = "gpu_seconds.";
@@ -94,7 +94,7 @@ void addBench(CLI::App& app, Session& session) {
     };
     const auto args = std::make_shared<Arguments>();
     CLI::App* command = app.add_subcommand("bench", "Measure the speed of the method on this machine");
-    command->footer("Benchmarks: march, reshade, quality, translucency, analyse; all of them when none is named.");
+    command->footer("Benchmarks: march, reshade, quality, translucency, analyse [default: all].");
     command->add_option("names", args->names, "Benchmarks to run")->type_name("NAME");
     command->add_option("--project", args->project, "Measure on this project [default: the bundled sample]")
         ->type_name("P.patina");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `patina-cli brdf`: what BRDFs keep to, those of the list and those of files.
+// `patina-cli brdf`: checks of BRDFs, built-in ones and those of files.
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
@@ -83,20 +83,20 @@ void checkAll(std::vector<std::string> names, bool json, const Session& session)
 }  // namespace
 
 void addBrdf(CLI::App& app, Session& session) {
-    CLI::App* command = app.add_subcommand("brdf", "Try BRDFs, above all those of .brdf.glsl files");
+    CLI::App* command = app.add_subcommand("brdf", "Check BRDFs, in particular those of .brdf.glsl files");
     command->require_subcommand(1);
-    CLI::App* checkCommand = command->add_subcommand("check", "What a BRDF keeps to, over its parameters and angles");
+    CLI::App* checkCommand = command->add_subcommand("check", "Check a BRDF over its parameters and angles");
     checkCommand->footer(
-        "A row per set of parameters and view direction, with white colours:\n"
+        "One row per set of parameters and view direction, with white colours:\n"
         "  chi² σ     samples against the density, in standard deviations: at most 6\n"
         "  ∫ pdf      integral of the density: at most 1, the rest is absorbed\n"
-        "  albedo     reflected part of white light from everywhere: at most 1 (1 = white furnace)\n"
-        "  sampled    the same by samples: has to agree\n"
-        "  asymmetry  |f(wo, wi) - f(wi, wo)| as part of the albedo: 0 for a reciprocal BRDF; only shown\n"
-        "A BRDF that fails is an error (exit code 3) with the reason, for a file with its line.");
+        "  albedo     reflected fraction of uniform white light: at most 1 (1 = white furnace)\n"
+        "  sampled    the same fraction by sampling: has to agree with the albedo\n"
+        "  asymmetry  |f(wo, wi) - f(wi, wo)| relative to the albedo: 0 for a reciprocal BRDF; informative only\n"
+        "A BRDF that fails is an error (exit code 3) with the reason and, for a file, the line.");
     const auto names = std::make_shared<std::vector<std::string>>();
     const auto json = std::make_shared<bool>(false);
-    checkCommand->add_option("brdf", *names, "Names or files; without any, all of the list")->type_name("NAME|FILE");
+    checkCommand->add_option("brdf", *names, "Names or files [default: all built-in BRDFs]")->type_name("NAME|FILE");
     checkCommand->add_flag("--json", *json, "Print one JSON document");
     checkCommand->callback(
         [&session, names, json] { session.run = [&session, names, json] { checkAll(*names, *json, session); }; });

@@ -84,7 +84,7 @@ void addCreate(CLI::App& app, Session& session) {
             std::istringstream list(args->glossy);
             for (std::string label; std::getline(list, label, ',');)
                 if (!label.empty()) options.glossy.push_back(label);
-            std::vector<std::string> notes;
+            core::Notes notes;
             const core::Scene scene = core::createScene(options, &notes);
             printNotes(notes);
             refuseOverwritingInput(scene, {}, args->output);

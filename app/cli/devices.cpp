@@ -77,8 +77,8 @@ std::shared_ptr<const core::Analysis> analyse(const core::Scene& scene, const Se
 
 void addDevices(CLI::App& app, Session& session) {
     const auto json = std::make_shared<bool>(false);
-    CLI::App* command = app.add_subcommand("devices", "List the graphics devices that can be used");
-    command->footer("The number or a part of the name is what --device takes.");
+    CLI::App* command = app.add_subcommand("devices", "List the usable graphics devices");
+    command->footer("--device takes the number or a part of the name.");
     command->add_flag("--json", *json, "Print one JSON document");
     command->callback([&session, json] { session.run = [json] { listDevices(*json); }; });
 }

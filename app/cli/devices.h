@@ -12,7 +12,8 @@ namespace cli {
 /// The device the user asked for, or the best there is; says on stderr which it took. Throws gpu::Error(NoAdapter).
 [[nodiscard]] gpu::Device openDevice(const Session& session);
 
-/// Who computes the dear pieces of the analysis (--analysis, else PATINA_ANALYSIS, else automatic); nullptr = the CPU.
+/// Kernels for the expensive parts of the analysis, by --analysis, otherwise by PATINA_ANALYSIS, otherwise automatic;
+/// nullptr = the CPU.
 /// Throws core::Error(Usage) for an unknown wish, gpu::Error when the GPU is asked for and there is none.
 [[nodiscard]] std::unique_ptr<core::AnalysisKernels> openAnalysisKernels(const Session& session);
 /// The scene's analysis; prints what went otherwise than asked for.

@@ -20,13 +20,13 @@ using Analysis = core::Analysis;
 constexpr float kMillimetres = 1000.0f;
 constexpr float kMilliSquareMillimetres = 1e9f;
 
-/// One layer: its name, whether it needs the analysis, how it is written.
+/// A layer: its name and how it is written.
 struct Layer {
     const char* name;
     void (*save)(const core::Scene& scene, const Analysis& analysis, const std::string& path);
 };
 
-/// Layers of what is stored: no analysis needed, `analysis` is empty.
+/// Layers of the input, which need no analysis; `analysis` is empty.
 constexpr std::array kInputLayers{
     Layer{"color", [](const core::Scene& scene, const Analysis&,
                       const std::string& path) { core::saveColor(scene.photo->color, path); }},
@@ -36,7 +36,7 @@ constexpr std::array kInputLayers{
                             const std::string& path) { core::saveCryptomatte(scene, path); }},
 };
 
-/// Layers that the analysis makes.
+/// Layers computed by the analysis.
 constexpr std::array kAnalysisLayers{
     Layer{"depth", [](const core::Scene&, const Analysis& analysis,
                       const std::string& path) { core::saveScalar(analysis.front->depth, path, "Z", kMillimetres); }},
@@ -77,7 +77,7 @@ const Layer* findLayer(std::span<const Layer> layers, const std::string& name) {
                                                   "reflected:LABEL, incident:LABEL, parameter:LABEL:NAME.");
 }
 
-/// A parameter of an edit, with its drives: colours as colours, scalars as they are.
+/// Writes a parameter of an edit, with its drives: colours as colours, scalars unscaled.
 void saveParameter(const core::Scene& scene, const Analysis& analysis, const core::Segment& segment,
                    const std::string& parameter, const std::string& path) {
     constexpr float kTenThousandths = 10000;
@@ -148,14 +148,14 @@ void addExport(CLI::App& app, Session& session) {
         "  back-depth       depth of the invented back sides [m]\n"
         "  back-normals     normals of the back sides\n"
         "  reflected:LABEL  light reflected by a glossy segment, by mirrored view direction (latitude-longitude)\n"
-        "  incident:LABEL   light that arrives at a glossy segment (latitude-longitude)\n"
-        "  parameter:LABEL:NAME  parameter of a segment's edit, with its drives, in every pixel (alpha, albedo, ...);\n"
+        "  incident:LABEL   light that reaches a glossy segment (latitude-longitude)\n"
+        "  parameter:LABEL:NAME  parameter of a segment's edit per pixel, with its drives (alpha, albedo, ...);\n"
         "                   PNG: colours sRGB, others in 1/10000\n"
-        "  environment      the recovered distant light (latitude-longitude; EXR has the coverage as a channel)\n"
-        "  coverage         how many pixels saw each direction of the environment; 0 = interpolated\n\n"
+        "  environment      the recovered distant light (latitude-longitude; in EXR with the coverage as a channel)\n"
+        "  coverage         number of pixels that observed each direction of the environment; 0 = interpolated\n\n"
         "The format follows the extension: .exr, .png, .tif, .jpg, .hdr.");
     command->add_option("project", args->project, "Project file")->required()->type_name("P.patina");
-    command->add_option("--layer", args->layer, "What to write")->required()->type_name("LAYER");
+    command->add_option("--layer", args->layer, "Layer to write")->required()->type_name("LAYER");
     command->add_option("-o,--output", args->output, "Image to write")->required()->type_name("FILE");
     command->callback([&session, args] {
         session.run = [&session, args] { exportLayer(args->project, args->layer, args->output, session); };

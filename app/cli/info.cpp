@@ -51,7 +51,7 @@ std::map<std::uint16_t, ordered_json> describeBackSides(const core::Scene& scene
         entry["penalty"] = info.mirrorError;
         entry["thickness"] = core::median(values);
         entry["on_support"] = info.onSupport;
-        if (!info.note.empty()) entry["note"] = info.note;
+        if (!info.note.empty()) entry["note"] = info.note.english();
     }
     return result;
 }

@@ -32,7 +32,7 @@ class ProgressPrinter {
         const std::lock_guard lock(mutex_);
         const int percent = static_cast<int>(std::lround(100 * std::clamp(fraction, 0.0f, 1.0f)));
         const bool newTask = task != task_;
-        // steps run in parallel: reports may arrive out of order
+        // Steps run in parallel, so reports may arrive out of order.
         if (!newTask && percent / (terminal_ ? 1 : 10) <= shown_) return;
         task_ = task;
         shown_ = percent / (terminal_ ? 1 : 10);
@@ -81,12 +81,12 @@ void catchInterrupts() {
     sigaction(SIGINT, &action, nullptr);
 }
 
-void printNotes(const std::vector<std::string>& notes) {
-    for (const std::string& sentence : notes) std::fprintf(stderr, "patina-cli: %s\n", sentence.c_str());
+void printNotes(std::span<const core::Message> notes) {
+    for (const core::Message& note : notes) std::fprintf(stderr, "patina-cli: %s\n", sentence(note).c_str());
 }
 
 core::Scene loadScene(const std::string& project) {
-    std::vector<std::string> notes;
+    core::Notes notes;
     core::Scene scene = core::loadProject(project, &notes);
     printNotes(notes);
     return scene;

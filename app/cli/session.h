@@ -22,7 +22,7 @@ enum ExitCode : int {
     kInterrupted = 130,  ///< SIGINT, as shells report it
 };
 
-/// What the options before and after a command decide for all commands, and the command that was chosen.
+/// The options that all commands share, and the chosen command.
 struct Session {
     std::string device;         ///< part of a device's name or its index; "" = no wish
     std::string analysis;       ///< "auto", "cpu" or "gpu"; "" = no wish
@@ -38,26 +38,26 @@ void addBrdf(CLI::App& app, Session& session);
 void addDevices(CLI::App& app, Session& session);
 void addBench(CLI::App& app, Session& session);
 
-/// Reports progress to stderr (one rewritten line on a terminal, else a line per step and tenth) and stops the work on
-/// SIGINT.
+/// Reports progress to stderr (one rewritten line on a terminal, otherwise a line per step and tenth) and stops the
+/// work on SIGINT.
 [[nodiscard]] core::Progress printedProgress();
-/// Ends the rewritten line, so that the next message starts on its own.
+/// Ends the rewritten line, so that the next message starts on a new one.
 void finishProgress();
-/// From now on SIGINT asks the running step to stop; a second one kills the program.
+/// Makes SIGINT stop the running step; a second one kills the program.
 void catchInterrupts();
 
 /// One sentence per line on stderr.
-void printNotes(const std::vector<std::string>& notes);
-/// Loads a project and prints what had to be assumed.
+void printNotes(std::span<const core::Message> notes);
+/// Loads a project and prints the notes about it.
 [[nodiscard]] core::Scene loadScene(const std::string& project);
 
 /// `text` as `count` numbers separated by commas; throws Error(Usage) naming the option.
 [[nodiscard]] std::vector<float> parseNumbers(const std::string& option, const std::string& text, std::size_t count);
 /// Splits "LABEL=VALUE" at the first "="; throws Error(Usage) naming the option.
 [[nodiscard]] std::pair<std::string, std::string> parseAssignment(const std::string& option, const std::string& text);
-/// The segment called `labelOrName`; throws Error(Usage) listing what there is.
+/// The segment with this label or name; throws Error(Usage) that lists the segments.
 [[nodiscard]] core::Segment& requireSegment(core::Scene& scene, const std::string& labelOrName);
-/// Throws Error(Usage) when writing `output` would replace a file the project was made of, or the project itself.
+/// Throws Error(Usage) if writing `output` would replace the project or one of its input files.
 void refuseOverwritingInput(const core::Scene& scene, const std::string& project, const std::string& output);
 
 }  // namespace cli

@@ -35,4 +35,18 @@ const char* taskName(core::Task task) {
     return "";
 }
 
+std::string sentence(const core::Message& message) {
+    switch (message.setting()) {
+        case core::Setting::None:
+            break;
+        case core::Setting::DepthUnit:
+            return message.english() + " See --depth-unit.";
+        case core::Setting::DepthUnitOrKind:
+            return message.english() + " See --depth-unit and --depth-kind.";
+        case core::Setting::FieldOfView:
+            return message.english() + " See --hfov.";
+    }
+    return message.english();
+}
+
 }  // namespace cli

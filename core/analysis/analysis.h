@@ -32,7 +32,7 @@ struct Reflectance {
 struct BackSideInfo {
     std::uint16_t label = 0;
     BackSideMethod used = BackSideMethod::Offset;  ///< Automatic's choice, or what replaced a method that failed
-    std::string note;  ///< why another method was used than the segment asks for, a full sentence; "" when none was
+    Message note;  ///< why another method was used than the segment asks for; empty when none was
     /// The method's own penalty, [0, 1]. Mirrors: E = max(C, O); C = fraction of points behind the mirror, O = fraction
     /// mirrored outside the silhouette. FlatFaces: what of outline and front the faces do not explain. 0 for Offset.
     float mirrorError = 0;

@@ -69,7 +69,7 @@ class AnalysisKernels {
     virtual void fillShepard(const analysis::DirectionTree& tree, DirectionalMap& map, const Progress& progress) = 0;
 
     /// What went otherwise than asked for since the last call, full sentences.
-    [[nodiscard]] virtual std::vector<std::string> takeNotes() { return {}; }
+    [[nodiscard]] virtual Notes takeNotes() { return {}; }
 };
 
 /// Everything on the CPU, on all cores. Holds nothing: any number of analyses may use it at once.

@@ -22,7 +22,26 @@ std::string number(const char* format, double value) {
     return text.data();
 }
 
-void noteLight(const Scene& scene, const Analysis& analysis, std::vector<std::string>& notes) {
+/// The note for scenes in which nothing shows the light.
+Message unknownLight(bool glossy, bool mapLoaded) {
+    if (glossy && mapLoaded)
+        return Message("messages",
+                       "No glossy segment mirrors the light and no pixel is distant, so nothing is known of the light: "
+                       "the loaded map is all of it.");
+    if (glossy)
+        return Message("messages",
+                       "No glossy segment mirrors the light and no pixel is distant, so nothing is known of the light: "
+                       "edits are lit as the shading suggests. Flag something glossy or load an environment map.");
+    if (mapLoaded)
+        return Message("messages",
+                       "No segment is flagged as glossy and no pixel is distant, so nothing is known of the light: the "
+                       "loaded map is all of it.");
+    return Message("messages",
+                   "No segment is flagged as glossy and no pixel is distant, so nothing is known of the light: edits "
+                   "are lit as the shading suggests. Flag something glossy or load an environment map.");
+}
+
+void noteLight(const Scene& scene, const Analysis& analysis, Notes& notes) {
     const EnvironmentParams& params = scene.environment;
     if ((params.image && params.use == EnvironmentUse::Replace) || !analysis.environment) return;
     const DirectionalMap& map = *analysis.environment;
@@ -32,62 +51,74 @@ void noteLight(const Scene& scene, const Analysis& analysis, std::vector<std::st
             if (map.coverage(x, y) > 0)
                 seen += static_cast<double>(
                     DirectionalMap::texelSolidAngle(y, map.coverage.width(), map.coverage.height()));
-    const std::string percent = number("%.0f", seen / (4 * std::numbers::pi) * 100) + " % of all directions";
+    const std::string percent = number("%.0f", seen / (4 * std::numbers::pi) * 100);
     const bool glossy = std::ranges::any_of(scene.segments, [](const Segment& s) { return s.glossy; });
-    const std::string rest = params.image ? "the loaded map gives the rest" : "the rest is guessed";
     if (seen <= 0) {
-        notes.push_back(
-            std::string(glossy ? "No glossy segment mirrors the light" : "No segment is flagged as glossy") +
-            " and no pixel is distant, so nothing is known of the light" +
-            (params.image
-                 ? ": the loaded map is all of it."
-                 : ": edits are lit as the shading suggests. Flag something glossy or load an environment map."));
+        notes.push_back(unknownLight(glossy, params.image != nullptr));
+    } else if (!glossy && params.image) {
+        notes.push_back(Message("messages",
+                                "No segment is flagged as glossy: the light is known only from distant pixels, %1 % of "
+                                "all directions; the loaded map gives the rest. Flag something glossy to recover more.")
+                            .with(percent));
     } else if (!glossy) {
-        notes.push_back("No segment is flagged as glossy: the light is known only from distant pixels, " + percent +
-                        "; " + rest + ". Flag something glossy to recover more.");
+        notes.push_back(Message("messages",
+                                "No segment is flagged as glossy: the light is known only from distant pixels, %1 % of "
+                                "all directions; the rest is guessed. Flag something glossy to recover more.")
+                            .with(percent));
     }
     const auto clipped = std::ranges::count_if(map.clipped.pixels(), [](std::uint8_t c) { return c != 0; });
     if (clipped > 0)
-        notes.push_back("The camera clipped the light in " + std::to_string(clipped) +
-                        " texels of the environment; their radiance is estimated from the blur around them. A "
-                        "photograph with more range (EXR) knows it.");
+        notes.push_back(Message("messages",
+                                "The camera clipped the light in %1 texels of the environment; their radiance is "
+                                "estimated from the blur around them. Use a photograph with more range (EXR) to get it "
+                                "right.")
+                            .with(clipped));
+}
+
+void noteReflectance(const Segment& segment, const Reflectance& reflectance, std::size_t pixels, Notes& notes) {
+    if (pixels < kFewPixels) {
+        notes.push_back(Message("messages",
+                                "Segment \"%1\" is glossy but has only %2 pixels with depth: too few to estimate its "
+                                "reflectance and the light from it.")
+                            .with(segment.name, pixels));
+    } else if (!segment.reflectance && analysis::showsMoreThanItMirrors(reflectance)) {
+        notes.push_back(Message("messages",
+                                "Segment \"%1\" shows more light than it can mirror: it has colours of its own, so the "
+                                "light is not recovered from it. If it is a mirror, set its reflectance yourself.")
+                            .with(segment.name));
+    } else if (!reflectance.reliable && !segment.reflectance) {
+        notes.push_back(Message("messages",
+                                "Segment \"%1\" mirrors too little whose brightness is known (%2 sr), so its "
+                                "reflectance is a guess. Set it yourself.")
+                            .with(segment.name, number("%.2f", static_cast<double>(reflectance.commonSolidAngle))));
+    }
 }
 
 }  // namespace
 
-std::vector<std::string> analysisNotes(const Scene& scene, const Analysis& analysis) {
-    std::vector<std::string> notes;
+Notes analysisNotes(const Scene& scene, const Analysis& analysis) {
+    Notes notes;
     noteLight(scene, analysis, notes);
     std::map<std::uint16_t, std::size_t> pixels;
     if (scene.photo && analysis.front)
         for (std::size_t i = 0; i < analysis.front->depth.size(); ++i)
             if (analysis.front->depth[i] > 0) ++pixels[scene.photo->labels[i]];
     for (const Segment& segment : scene.segments) {
-        const std::string name = "Segment \"" + segment.name + "\"";
         if (pixels[segment.label] == 0) {
-            notes.push_back(name + " has no pixel with depth, so it cannot be edited. Give it depth or mark it again.");
+            notes.push_back(Message("messages",
+                                    "Segment \"%1\" has no pixel with depth, so it cannot be edited. Give it depth or "
+                                    "mark it again.")
+                                .with(segment.name));
             continue;
         }
         const Reflectance* reflectance = segment.glossy ? analysis.findReflectance(segment.label) : nullptr;
-        if (reflectance == nullptr) continue;
-        if (pixels[segment.label] < kFewPixels) {
-            notes.push_back(name + " is glossy but has only " + std::to_string(pixels[segment.label]) +
-                            " pixels with depth: too few to tell its reflectance and the light from it.");
-        } else if (!segment.reflectance && analysis::showsMoreThanItMirrors(*reflectance)) {
-            notes.push_back(name +
-                            " shows more light than it can mirror: it has colours of its own, so the light is not "
-                            "recovered from it. If it is a mirror, set its reflectance by hand.");
-        } else if (!reflectance->reliable && !segment.reflectance) {
-            notes.push_back(name + " shows too little whose brightness is known otherwise (" +
-                            number("%.2f", static_cast<double>(reflectance->commonSolidAngle)) +
-                            " sr), so its reflectance is a guess. Set it by hand.");
-        }
+        if (reflectance != nullptr) noteReflectance(segment, *reflectance, pixels[segment.label], notes);
     }
-    for (std::string& note : maskNotes(scene)) notes.push_back(std::move(note));
+    for (Message& note : maskNotes(scene)) notes.push_back(std::move(note));
     for (const BackSideInfo& info : analysis.backSides) {
         const Segment* segment = scene.findSegment(info.label);
         if (!info.note.empty() && segment != nullptr && segment->edit)
-            notes.push_back("Back side of \"" + segment->name + "\": " + info.note);
+            notes.push_back(Message("messages", "Back side of \"%1\": %2").with(segment->name, info.note));
     }
     return notes;
 }

@@ -63,7 +63,8 @@ const AnalysisPipeline::RunCounts& AnalysisPipeline::runCounts() const { return 
 std::shared_ptr<const Analysis> AnalysisPipeline::run(const Scene& scene, const Progress& progress,
                                                       AnalysisKernels& kernels) {
     if (!scene.photo || scene.photo->color.empty())
-        throw Error(ErrorKind::Input, "There is no photograph to analyse. Load a colour picture with depth first.");
+        throw Error(ErrorKind::Input,
+                    Message("messages", "There is no photograph to analyse. Load a colour picture with depth first."));
     CORE_ASSERT(scene.photo->color.sameSize(scene.photo->depth) && scene.photo->color.sameSize(scene.photo->labels),
                 "images of one size");
     Cache& cache = *cache_;

@@ -7,7 +7,6 @@
 
 #include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -20,8 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void failWriting(const std::string& path, const std::string& reason) {
-    throw Error(ErrorKind::Output, "Cannot write \"" + path + "\": " + reason + ".");
+[[noreturn]] void failWriting(const std::string& path, const Message& reason) {
+    throw Error(ErrorKind::Output, Message("messages", "Cannot write \"%1\": %2.").with(path, reason));
 }
 
 std::string systemReason(int code) { return std::generic_category().message(code); }
@@ -40,18 +39,22 @@ void flushToDisk(const std::string& path, const std::string& named) {
 
 AtomicFile::AtomicFile(const std::string& target) : named_(target) {
     static std::atomic<unsigned> counter{0};
-    if (target.empty()) throw Error(ErrorKind::Output, "Cannot write: the file name is empty.");
+    if (target.empty()) throw Error(ErrorKind::Output, Message("messages", "Cannot write: the file name is empty."));
     std::error_code code;
     fs::path resolved(target);
     const fs::path canonical = fs::weakly_canonical(resolved, code);
     if (!code && !canonical.empty()) resolved = canonical;
     const fs::file_status status = fs::status(resolved, code);
-    if (fs::is_directory(status)) failWriting(target, "it is a folder, expected a file");
-    if (fs::exists(status) && !fs::is_regular_file(status)) failWriting(target, "it is not a regular file");
+    if (fs::is_directory(status)) failWriting(target, Message("messages", "it is a folder, expected a file"));
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        failWriting(target, Message("messages", "it is not a regular file"));
     const fs::path folder = resolved.has_parent_path() ? resolved.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, code)) failWriting(target, "the folder \"" + folder.string() + "\" does not exist");
+    if (!fs::is_directory(folder, code))
+        failWriting(target, Message("messages", "the folder \"%1\" does not exist").with(folder.string()));
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
-        failWriting(target, "the folder \"" + folder.string() + "\" is not writable (" + systemReason(errno) + ")");
+        failWriting(
+            target,
+            Message("messages", "the folder \"%1\" is not writable (%2)").with(folder.string(), systemReason(errno)));
     target_ = resolved.string();
     const std::string unique = std::to_string(::getpid()) + "-" + std::to_string(++counter);
     std::string hidden(1, '.');
@@ -96,28 +99,30 @@ void writeFileAtomically(const std::string& path, std::string_view bytes) {
 std::size_t checkedFileSize(const std::string& path) {
     std::error_code code;
     const fs::file_status status = fs::status(path, code);
-    const auto fail = [&](const std::string& reason) {
-        throw Error(ErrorKind::Input, "Cannot read \"" + path + "\": " + reason + ".");
+    const auto fail = [&](const Message& reason) {
+        throw Error(ErrorKind::Input, Message("messages", "Cannot read \"%1\": %2.").with(path, reason));
     };
-    if (status.type() == fs::file_type::not_found) fail("the file does not exist");
+    if (status.type() == fs::file_type::not_found) fail(Message("messages", "the file does not exist"));
     if (!fs::status_known(status)) fail(code.message());
-    if (fs::is_directory(status)) fail("it is a folder, expected a file");
-    if (!fs::is_regular_file(status)) fail("it is not a regular file");
+    if (fs::is_directory(status)) fail(Message("messages", "it is a folder, expected a file"));
+    if (!fs::is_regular_file(status)) fail(Message("messages", "it is not a regular file"));
     const std::uintmax_t size = fs::file_size(path, code);
     if (code) fail(code.message());
-    if (size == 0) fail("the file is empty (0 bytes)");
+    if (size == 0) fail(Message("messages", "the file is empty (0 bytes)"));
     return static_cast<std::size_t>(size);
 }
 
 std::string readFile(const std::string& path, std::size_t limit) {
     const std::size_t size = checkedFileSize(path);
     if (size > limit)
-        throw Error(ErrorKind::Input, "Cannot read \"" + path + "\": it has " + std::to_string(size) +
-                                          " bytes, expected at most " + std::to_string(limit) + ".");
+        throw Error(
+            ErrorKind::Input,
+            Message("messages", "Cannot read \"%1\": it has %2 bytes, expected at most %3.").with(path, size, limit));
     std::ifstream file(path, std::ios::binary);
     std::string bytes(size, '\0');
     file.read(bytes.data(), static_cast<std::streamsize>(size));
-    if (!file) throw Error(ErrorKind::Input, "Cannot read \"" + path + "\": " + std::strerror(errno) + ".");
+    if (!file)
+        throw Error(ErrorKind::Input, Message("messages", "Cannot read \"%1\": %2.").with(path, systemReason(errno)));
     return bytes;
 }
 

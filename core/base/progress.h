@@ -59,7 +59,7 @@ class Progress {
     [[nodiscard]] bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
     /// Reports `fraction` in [0, 1] and throws Error(Cancelled) when the user asked to stop.
     void checkpoint(float fraction) const {
-        if (cancelled()) throw Error(ErrorKind::Cancelled, "The work was cancelled.");
+        if (cancelled()) throw Error(ErrorKind::Cancelled, Message("messages", "The work was cancelled."));
         if (report_) (*report_)(task_, from_ + fraction * (to_ - from_));
     }
 

@@ -53,7 +53,8 @@ std::uint32_t cryptomatteId(std::string_view name) {
 
 void saveCryptomatte(const Scene& scene, const std::string& path) {
     if (std::filesystem::path(path).extension() != ".exr")
-        throw Error(ErrorKind::Usage, "Cannot write \"" + path + "\": a Cryptomatte is stored in a .exr file.");
+        throw Error(ErrorKind::Usage,
+                    Message("messages", "Cannot write \"%1\": a Cryptomatte is stored in a .exr file.").with(path));
     const Photo& photo = *scene.photo;
     std::map<std::uint16_t, float> ids;
     nlohmann::json manifest = nlohmann::json::object();

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
+#include "core/base/error.h"
 
 namespace core {
 
@@ -50,7 +50,7 @@ class MedianDepth : public Imf::DeepCompositing {
 std::vector<float> flattenDeepExr(const std::string& path, int part, const std::vector<std::string>& channels) {
     Imf::MultiPartInputFile file(path.c_str());
     if (!file.header(part).hasType() || file.header(part).type() != Imf::DEEPSCANLINE)
-        throw std::runtime_error("it is a deep image in tiles, expected scan lines");
+        throw Error(ErrorKind::Input, Message("messages", "it is a deep image in tiles, expected scan lines"));
     Imf::DeepScanLineInputPart source(file, part);
     const Imath::Box2i window = file.header(part).dataWindow();
     const auto width = static_cast<std::size_t>(std::int64_t{window.max.x} - window.min.x + 1);

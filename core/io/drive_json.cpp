@@ -31,7 +31,9 @@ std::optional<DriveEnd> readEnd(JsonReader& reader, const char* key, const Drive
         reader.read(key, number, 0.0f, kMaxFactor);
         end.value.setConstant(number);
     } else {
-        if (!value->is_array()) reader.fail(key, "a color [r, g, b] or a number, the factor on the edit's own", *value);
+        if (!value->is_array())
+            reader.fail(key, Message("messages", "a color [r, g, b] or a number, the factor on the edit's own"),
+                        *value);
         end.factor = false;
         reader.read(key, end.value, parameter.min, parameter.max);
     }
@@ -60,14 +62,17 @@ Drive readDrive(const json& value, const std::string& place, ErrorKind kind, Mas
         reader.require("mask");
         std::string path;
         reader.read("mask", path);
-        if (path.empty()) reader.fail("\"" + reader.place("mask") + "\" is empty, expected the path of an image.");
+        if (path.empty())
+            reader.fail(
+                Message("messages", "\"%1\" is empty, expected the path of an image.").with(reader.place("mask")));
         drive.mask = masks.load(path);
     }
     drive.from = readEnd(reader, "from", parameter);
     drive.to = readEnd(reader, "to", parameter);
     if (drive.source == DriveSource::Mask && !drive.from && !drive.to)
-        reader.fail("\"" + place + "\" needs \"from\" or \"to\": the values of \"" + drive.parameter +
-                    "\" where the mask is 0 and 1.");
+        reader.fail(
+            Message("messages", "\"%1\" needs \"from\" or \"to\": the values of \"%2\" where the mask is 0 and 1.")
+                .with(place, drive.parameter));
     reader.read("invert", drive.invert);
     reader.read(drive.source == DriveSource::Mask ? "contrast" : "strength", drive.strength, 0.0f, kMaxStrength);
     reader.finish();
@@ -77,13 +82,14 @@ Drive readDrive(const json& value, const std::string& place, ErrorKind kind, Mas
 }  // namespace
 
 void readDrives(const json& list, const std::string& place, ErrorKind kind, MaskLoader& masks, Material& material) {
-    if (!list.is_array()) throw Error(kind, "\"" + place + "\" is not a list [...].");
+    if (!list.is_array()) throw Error(kind, Message("messages", "\"%1\" is not a list [...].").with(place));
     const std::vector<DriveParameter> parameters = driveParameters(material);
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string at = place + "[" + std::to_string(i) + "]";
         Drive drive = readDrive(list[i], at, kind, masks, parameters);
         if (std::ranges::find(material.drives, drive.parameter, &Drive::parameter) != material.drives.end())
-            throw Error(kind, "\"" + at + ".parameter\" is \"" + drive.parameter + "\", which has a drive already.");
+            throw Error(kind, Message("messages", "\"%1.parameter\" is \"%2\", which has a drive already.")
+                                  .with(at, drive.parameter));
         material.drives.push_back(std::move(drive));
     }
 }

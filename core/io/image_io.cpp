@@ -86,27 +86,39 @@ void decodeToLinear(ImageRgb& image, const OIIO::ImageSpec& spec) {
         decodeSrgb(image.pixels());
 }
 
-/// Of the picture, where values are not what they stand for.
+/// Numbers of pixels whose values are no radiance.
 struct ColorFaults {
     std::size_t notFinite = 0;
     std::size_t negative = 0;
 };
 
 /// Negative values are usual in a small part of a picture: colours outside Rec.709, ringing of a filter.
-std::optional<std::string> remarkOn(const ColorFaults& faults, std::size_t pixels, const std::string& path) {
+std::optional<Message> remarkOn(const ColorFaults& faults, std::size_t pixels, const std::string& path) {
     constexpr double kUsualNegative = 0.05;
     const auto percent = [&](std::size_t count) {
         const double share = 100.0 * static_cast<double>(count) / static_cast<double>(pixels);
         return share < 1 ? std::to_string(count) : std::to_string(std::lround(share)) + " %";
     };
-    std::string found;
-    if (faults.notFinite > 0) found = percent(faults.notFinite) + " of the pixels are not finite numbers";
-    if (static_cast<double>(faults.negative) > kUsualNegative * static_cast<double>(pixels))
-        found += (found.empty() ? "" : " and ") + percent(faults.negative) + (found.empty() ? " of the pixels" : "") +
-                 " are negative";
-    if (found.empty()) return std::nullopt;
-    return "In \"" + path + "\" " + found +
-           ", expected radiance of 0 or more: they count as 0. Repair the picture first.";
+    const bool negative = static_cast<double>(faults.negative) > kUsualNegative * static_cast<double>(pixels);
+    if (faults.notFinite > 0 && negative)
+        return Message(
+                   "messages",
+                   "In \"%1\" %2 of the pixels are not finite numbers and %3 are negative, expected radiance of 0 or "
+                   "more: they count as 0. Repair the picture first.")
+            .with(path, percent(faults.notFinite), percent(faults.negative));
+    if (faults.notFinite > 0)
+        return Message(
+                   "messages",
+                   "In \"%1\" %2 of the pixels are not finite numbers, expected radiance of 0 or more: they count as "
+                   "0. Repair the picture first.")
+            .with(path, percent(faults.notFinite));
+    if (negative)
+        return Message(
+                   "messages",
+                   "In \"%1\" %2 of the pixels are negative, expected radiance of 0 or more: they count as 0. Repair "
+                   "the picture first.")
+            .with(path, percent(faults.negative));
+    return std::nullopt;
 }
 
 ImageRgb readColor(ImageReader& reader, ColorFaults* faults = nullptr) {
@@ -122,7 +134,7 @@ ImageRgb readColor(ImageReader& reader, ColorFaults* faults = nullptr) {
     else if (spec.nchannels <= 2 || reader.format() != "openexr")
         channels = {0, 0, 0};
     else
-        reader.fail("it has no channels R, G, B");
+        reader.fail(Message("messages", "it has no channels R, G, B"));
     ImageRgb image = reader.readRgb(channels.red, channels.green, channels.blue);
     for (Vector3f& p : image.pixels()) {
         if (faults != nullptr) {
@@ -169,7 +181,7 @@ ImageInfo readInfo(ImageReader& reader) {
 
 }  // namespace
 
-ImageRgb loadColor(const std::string& path, std::vector<std::string>* remarks) {
+ImageRgb loadColor(const std::string& path, Notes* remarks) {
     ImageReader reader(path);
     ColorFaults faults;
     ImageRgb image = readColor(reader, &faults);
@@ -217,18 +229,21 @@ StoredFormat storedFormat(const std::string& path) { return readImageInfo(path).
 LabelImage loadLabels(const std::string& path) {
     ImageReader reader(path, ImageReader::Palette::Indices);
     if (reader.format() == "jpeg")
-        reader.fail("it is a JPEG picture, whose compression changes label numbers; expected PNG, TIFF or EXR");
+        reader.fail(Message(
+            "messages", "it is a JPEG picture, whose compression changes label numbers; expected PNG, TIFF or EXR"));
     const ImageF values = reader.readChannel(0);
     if (reader.spec().nchannels >= 3) {
         for (int channel = 1; channel < 3; ++channel)
             if (reader.readChannel(channel) != values)
-                reader.fail("it is a colour picture, expected one number per pixel (grey or palette)");
+                reader.fail(
+                    Message("messages", "it is a colour picture, expected one number per pixel (grey or palette)"));
     }
     LabelImage labels(values.width(), values.height());
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const float value = values[i];
         if (!(value >= 0 && value <= 65535) || value != std::floor(value))
-            reader.fail("it contains the label " + std::to_string(value) + ", expected whole numbers from 0 to 65535");
+            reader.fail(
+                Message("messages", "it contains the label %1, expected whole numbers from 0 to 65535").with(value));
         labels[i] = static_cast<std::uint16_t>(value);
     }
     return applyOrientation(std::move(labels), reader.orientation());

@@ -18,12 +18,13 @@ inline constexpr long kMaxImagePixels = 200'000'000;
 // failure is an Error(Input) that names the file. An image is returned as it is displayed: its own EXIF orientation is
 // applied, and an EXR data window is placed in its display window (zero outside).
 
-/// Colour as scene-linear Rec.709: integer files are decoded by their ICC profile, else their gamma, else sRGB; float
-/// files are taken as linear, in the primaries they name, else Rec.709. R, G, B by name, plain or in a layer; a single
-/// channel is grey. Alpha is ignored. NaN and Inf become 0, negative values are clamped to 0; where that changes much
-/// of the picture, `remarks` says so.
-[[nodiscard]] ImageRgb loadColor(const std::string& path, std::vector<std::string>* remarks = nullptr);
-/// One channel of stored values as float, undecoded (16-bit PNG gives 0..65535); channel Z, else Y, else the first.
+/// Colour as scene-linear Rec.709: integer files are decoded by their ICC profile, otherwise their gamma, otherwise
+/// sRGB; float files are taken as linear, in the primaries they name, else Rec.709. R, G, B by name, plain or in a
+/// layer; a single channel is grey. Alpha is ignored. NaN and Inf become 0, negative values are clamped to 0; where
+/// that changes much of the picture, `remarks` says so.
+[[nodiscard]] ImageRgb loadColor(const std::string& path, Notes* remarks = nullptr);
+/// One channel of stored values as float, undecoded (16-bit PNG gives 0..65535); channel Z, otherwise Y, otherwise the
+/// first.
 [[nodiscard]] ImageF loadScalar(const std::string& path);
 /// Channel A beside channel Z of a flat image: the share of each pixel that is covered. Empty where there is none.
 [[nodiscard]] ImageF loadCoverage(const std::string& path);
@@ -33,7 +34,7 @@ struct StoredFormat {
     bool floating = false;
 };
 [[nodiscard]] StoredFormat storedFormat(const std::string& path);
-/// What a file says about itself, without reading its pixels.
+/// Properties of a file, without reading its pixels.
 struct ImageInfo {
     int width = 0;                   ///< as displayed (orientation applied)
     int height = 0;                  ///< as displayed
@@ -51,7 +52,7 @@ struct ImageInfo {
 /// An image file inside another file.
 struct EmbeddedImage {
     std::string bytes;
-    std::string subject;  ///< what messages call it: `the depth map inside "photo.jpg"`
+    Message subject;  ///< its name in messages: `the depth map inside "photo.jpg"`
 };
 [[nodiscard]] ImageRgb loadColor(EmbeddedImage image);
 [[nodiscard]] ImageF loadScalar(EmbeddedImage image);

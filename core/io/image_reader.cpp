@@ -52,6 +52,13 @@ std::string formatFromContent(std::string_view bytes) {
     return {};
 }
 
+/// A library's report, trimmed to end a sentence.
+Message libraryReason(std::string text) {
+    while (!text.empty() && (text.back() == '\n' || text.back() == '.' || text.back() == ' ')) text.pop_back();
+    std::ranges::replace(text, '\n', ' ');
+    return text;
+}
+
 std::string imageSizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 std::uint32_t bigEndian(std::string_view bytes, std::size_t at) {
@@ -88,7 +95,7 @@ bool indexedPngToGrey(std::string& bytes) {
     for (std::size_t at = kHeaderEnd; at + 12 <= bytes.size();) {
         const std::size_t length = std::size_t{bigEndian(bytes, at)} + 12;
         if (length > bytes.size() - at) {
-            grey.append(bytes, at);  // cut short: libpng says so
+            grey.append(bytes, at);  // truncated: libpng will report it
             break;
         }
         const std::string_view type(bytes.data() + at + 4, 4);
@@ -117,7 +124,8 @@ int findChannel(const OIIO::ImageSpec& spec, const std::string& name) {
 
 ImageReader::ImageReader(const std::string& path, Palette palette)
     : subject_("\"" + path + "\""), path_(path), fileSize_(checkedFileSize(path)) {
-    if (fileSize_ > kMaxFileSize) fail("it has " + std::to_string(fileSize_) + " bytes, more than Patina accepts");
+    if (fileSize_ > kMaxFileSize)
+        fail(Message("messages", "it has %1 bytes, more than Patina accepts").with(fileSize_));
     format_ = formatFromContent(readHead(path, kMagicBytes));
     open(path, palette);
 }
@@ -132,11 +140,14 @@ std::string ImageReader::readAll() const { return path_.empty() ? memory_ : read
 
 void ImageReader::open(const std::string& name, Palette palette) {
     if (format_.empty())
-        fail("its content is no image format that Patina reads (expected EXR, PNG, TIFF, JPEG, PFM or HDR)");
-    if (format_ == "jpeg" && !jpegIsComplete(readAll())) fail("the file is truncated (JPEG data without an end)");
-    if (format_ == "tiff" && !tiffIsComplete(readAll())) fail("the file is truncated (TIFF data beyond its end)");
+        fail(Message("messages",
+                     "its content is no image format that Patina reads (expected EXR, PNG, TIFF, JPEG, PFM or HDR)"));
+    if (format_ == "jpeg" && !jpegIsComplete(readAll()))
+        fail(Message("messages", "the file is truncated (JPEG data without an end)"));
+    if (format_ == "tiff" && !tiffIsComplete(readAll()))
+        fail(Message("messages", "the file is truncated (TIFF data beyond its end)"));
     input_ = OIIO::ImageInput::create(format_, false);
-    if (!input_) fail("this build of OpenImageIO does not read " + format_ + " files");
+    if (!input_) fail(Message("messages", "this build of OpenImageIO does not read %1 files").with(format_));
     OIIO::ImageSpec config;
     config["oiio:UnassociatedAlpha"] = 1;
     if (palette == Palette::Indices && format_ == "png") {
@@ -146,9 +157,9 @@ void ImageReader::open(const std::string& name, Palette palette) {
     if (!memory_.empty()) {
         proxy_ = std::make_unique<OIIO::Filesystem::IOMemReader>(memory_.data(), memory_.size());
         if (!input_->set_ioproxy(proxy_.get()))
-            fail("this build of OpenImageIO does not read " + format_ + " files from memory");
+            fail(Message("messages", "this build of OpenImageIO does not read %1 files from memory").with(format_));
     }
-    if (!input_->open(name, spec_, config)) fail(input_->geterror());
+    if (!input_->open(name, spec_, config)) fail(libraryReason(input_->geterror()));
     checkHeader();
     if (format_ == "png" && pngBits() < 8) spec_["oiio:BitsPerSample"] = pngBits();
 }
@@ -158,7 +169,7 @@ bool isImageFile(const std::string& path) {
     return !formatFromContent(readHead(path, kMagicBytes)).empty();
 }
 
-/// PNG rows of 1, 2 or 4 bits arrive expanded to 8, without a word about it.
+/// Bits per sample, because OpenImageIO expands PNG rows of 1, 2 or 4 bits to 8 without reporting it.
 int ImageReader::pngBits() const {
     constexpr std::size_t kBitDepth = 24;
     const std::string head = path_.empty() ? memory_.substr(0, kBitDepth + 1) : readHead(path_, kBitDepth + 1);
@@ -169,32 +180,31 @@ ImageReader::~ImageReader() {
     if (input_) input_->close();
 }
 
-void ImageReader::fail(const std::string& reason) const {
-    std::string text = reason;
-    while (!text.empty() && (text.back() == '\n' || text.back() == '.' || text.back() == ' ')) text.pop_back();
-    std::ranges::replace(text, '\n', ' ');
-    throw Error(ErrorKind::Input, "Cannot read " + subject_ + ": " + text + ".");
+void ImageReader::fail(const Message& reason) const {
+    throw Error(ErrorKind::Input, Message("messages", "Cannot read %1: %2.").with(subject_, reason));
 }
 
 void ImageReader::checkHeader() const {
     const auto checkSize = [&](int width, int height) {
-        if (width <= 0 || height <= 0) fail("the image size is " + imageSizeText(width, height));
+        if (width <= 0 || height <= 0)
+            fail(Message("messages", "the image size is %1").with(imageSizeText(width, height)));
         if (width > kMaxImageSide || height > kMaxImageSide ||
             static_cast<long>(width) * static_cast<long>(height) > kMaxImagePixels)
-            fail("the image size is " + imageSizeText(width, height) + ", expected at most " +
-                 std::to_string(kMaxImageSide) + " pixels a side and " + std::to_string(kMaxImagePixels / 1'000'000) +
-                 " megapixels");
+            fail(Message("messages", "the image size is %1, expected at most %2 pixels a side and %3 megapixels")
+                     .with(imageSizeText(width, height), kMaxImageSide, kMaxImagePixels / 1'000'000));
     };
     checkSize(spec_.width, spec_.height);
     checkSize(spec_.full_width, spec_.full_height);
-    if (spec_.depth > 1) fail("it is a volume of depth " + std::to_string(spec_.depth) + ", expected a flat image");
-    if (spec_.deep && path_.empty()) fail("it is a deep image (several samples per pixel), expected a flat one");
+    if (spec_.depth > 1)
+        fail(Message("messages", "it is a volume of depth %1, expected a flat image").with(spec_.depth));
+    if (spec_.deep && path_.empty())
+        fail(Message("messages", "it is a deep image (several samples per pixel), expected a flat one"));
     if (spec_.nchannels < 1 || spec_.nchannels > kMaxChannels)
-        fail("it has " + std::to_string(spec_.nchannels) + " channels, expected 1 to " + std::to_string(kMaxChannels));
+        fail(Message("messages", "it has %1 channels, expected 1 to %2").with(spec_.nchannels, kMaxChannels));
     const auto bytes = static_cast<std::size_t>(spec_.image_bytes(true));
     if (bytes > kAlwaysAcceptedBytes && bytes / kMaxCompression > fileSize_)
-        fail("the header claims " + imageSizeText(spec_.width, spec_.height) + " pixels, but the file has only " +
-             std::to_string(fileSize_) + " bytes");
+        fail(Message("messages", "the header claims %1 pixels, but the file has only %2 bytes")
+                 .with(imageSizeText(spec_.width, spec_.height), fileSize_));
 }
 
 int ImageReader::orientation() const {
@@ -211,7 +221,7 @@ bool ImageReader::seekPart(const std::function<bool(const OIIO::ImageSpec&)>& ac
         return true;
     }
     (void)input_->geterror();
-    if (!input_->seek_subimage(0, 0)) fail(input_->geterror());
+    if (!input_->seek_subimage(0, 0)) fail(libraryReason(input_->geterror()));
     return false;
 }
 
@@ -235,13 +245,15 @@ void ImageReader::readRegion(int channelBegin, int channelEnd, float* target) {
             const std::vector<std::string> names(spec_.channelnames.begin() + channelBegin,
                                                  spec_.channelnames.begin() + channelEnd);
             std::ranges::copy(flattenDeepExr(path_, input_->current_subimage(), names), target);
+        } catch (const Error& error) {
+            fail(error.message());
         } catch (const std::exception& error) {
-            fail(error.what());
+            fail(libraryReason(error.what()));
         }
         return;
     }
     if (!input_->read_image(input_->current_subimage(), 0, channelBegin, channelEnd, OIIO::TypeFloat, target))
-        fail(input_->geterror());
+        fail(libraryReason(input_->geterror()));
 }
 
 ImageF ImageReader::readChannel(int channel) {

@@ -18,7 +18,7 @@ namespace core {
 /// Used by image_io.cpp only; every failure is an Error(Input) that names the file.
 class ImageReader {
   public:
-    /// What a palette picture is read as.
+    /// How a palette picture is read.
     enum class Palette { Colors, Indices };
 
     explicit ImageReader(const std::string& path, Palette palette = Palette::Colors);
@@ -48,7 +48,7 @@ class ImageReader {
     /// floats.
     [[nodiscard]] float integerScale() const;
 
-    [[noreturn]] void fail(const std::string& reason) const;
+    [[noreturn]] void fail(const Message& reason) const;
 
   private:
     void open(const std::string& name, Palette palette);
@@ -58,8 +58,8 @@ class ImageReader {
     void readRegion(int channelBegin, int channelEnd, float* target);
     [[nodiscard]] bool dataFillsDisplay() const;
 
-    std::string subject_;  ///< what messages call the file
-    std::string path_;     ///< empty for an embedded image
+    Message subject_;   ///< the file's name in messages
+    std::string path_;  ///< empty for an embedded image
     std::string format_;
     std::size_t fileSize_ = 0;
     std::string memory_;  ///< an embedded image, or a rewritten file (indexed PNG); empty otherwise

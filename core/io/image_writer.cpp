@@ -48,13 +48,16 @@ Format formatOf(const std::string& path) {
     if (extension == ".tif" || extension == ".tiff") return Format::Tiff;
     if (extension == ".jpg" || extension == ".jpeg") return Format::Jpeg;
     if (extension == ".hdr") return Format::Hdr;
-    throw Error(ErrorKind::Usage, "Cannot write \"" + path + "\": the file name ends in \"" + extension +
-                                      "\", expected .exr, .png, .tif, .jpg or .hdr.");
+    throw Error(ErrorKind::Usage,
+                Message("messages",
+                        "Cannot write \"%1\": the file name ends in \"%2\", expected .exr, .png, .tif, .jpg or .hdr.")
+                    .with(path, extension));
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& content, const std::string& expected) {
-    throw Error(ErrorKind::Usage, "Cannot write \"" + path + "\": " + content + " cannot be stored in a " +
-                                      extensionOf(path) + " file, expected " + expected + ".");
+[[noreturn]] void refuse(const std::string& path, const Message& content, const Message& expected) {
+    throw Error(ErrorKind::Usage,
+                Message("messages", "Cannot write \"%1\": %2 cannot be stored in a %3 file, expected %4.")
+                    .with(path, content, extensionOf(path), expected));
 }
 
 OIIO::ImageSpec makeSpec(int width, int height, int channels, const OIIO::TypeDesc& type, Format format) {
@@ -104,24 +107,29 @@ void writeIntegers(const std::vector<std::uint16_t>& samples, int width, int hei
 
 void writeImage(const std::string& path, const char* format, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
                 const void* pixels) {
-    const auto fail = [&](std::string reason) {
+    const auto fail = [&](const Message& reason) {
+        throw Error(ErrorKind::Output, Message("messages", "Cannot write \"%1\": %2.").with(path, reason));
+    };
+    const auto failAsReported = [&](std::string reason) {
         while (!reason.empty() && (reason.back() == '\n' || reason.back() == '.')) reason.pop_back();
-        throw Error(ErrorKind::Output, "Cannot write \"" + path + "\": " + reason + ".");
+        fail(reason);
     };
     AtomicFile file(path);
     OIIO::ImageSpec stamped = spec;
-    stamped["DateTime"] = "";  // else the EXR writer stores the time of day: the same picture, other bytes
+    // The EXR writer would store the time of day, so that equal pictures had different bytes.
+    stamped["DateTime"] = "";
     std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);  // outlives the output, whose destructor still asks it where it is
+    // Outlives the output, whose destructor still asks for its position.
+    OIIO::Filesystem::IOVecOutput memory(bytes);
     const auto output = OIIO::ImageOutput::create(format);
-    if (!output) fail(std::string("this build of OpenImageIO does not write ") + format + " files");
-    // Into memory first: on a full disk the PNG writer says nothing and the JPEG writer ends the program. TIFF reports
-    // its errors, and what OpenImageIO 2.4 writes to memory is damaged.
+    if (!output) fail(Message("messages", "this build of OpenImageIO does not write %1 files").with(format));
+    // Into memory first, because on a full disk the PNG writer reports nothing and the JPEG writer ends the program.
+    // TIFF reports its errors, and OpenImageIO 2.4 writes damaged TIFF files to memory.
     const bool inMemory =
         std::string_view(format) != "tiff" && output->supports("ioproxy") != 0 && output->set_ioproxy(&memory);
-    if (!output->open(inMemory ? path : file.temporaryPath(), stamped)) fail(output->geterror());
-    if (!output->write_image(type, pixels)) fail(output->geterror());
-    if (!output->close()) fail(output->geterror());
+    if (!output->open(inMemory ? path : file.temporaryPath(), stamped)) failAsReported(output->geterror());
+    if (!output->write_image(type, pixels)) failAsReported(output->geterror());
+    if (!output->close()) failAsReported(output->geterror());
     if (!inMemory) return file.commit();
     writeFileAtomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
@@ -140,7 +148,8 @@ void saveColor(const ImageRgb& image, const std::string& path) {
 
 void saveScalar(const ImageF& image, const std::string& path, const std::string& channel, float pngScale) {
     const Format format = formatOf(path);
-    if (format == Format::Jpeg) refuse(path, "measurements", ".exr, .tif, .hdr or .png");
+    if (format == Format::Jpeg)
+        refuse(path, Message("messages", "measurements"), Message("messages", ".exr, .tif, .hdr or .png"));
     if (format == Format::Png) {
         writeIntegers(quantize(image.pixels(), pngScale, 0.0f), image.width(), image.height(), 1, path, format,
                       "Linear");
@@ -159,7 +168,8 @@ void saveScalar(const ImageF& image, const std::string& path, const std::string&
 
 void saveVectors(const ImageV3& image, const std::string& path) {
     const Format format = formatOf(path);
-    if (format == Format::Hdr) refuse(path, "negative numbers", ".exr, .tif, .png or .jpg");
+    if (format == Format::Hdr)
+        refuse(path, Message("messages", "negative numbers"), Message("messages", ".exr, .tif, .png or .jpg"));
     if (format == Format::Exr || format == Format::Tiff) return writeLinear(image, path, format);
     writeIntegers(quantize(components(image), 0.5f * 65535.0f, 0.5f * 65535.0f), image.width(), image.height(), 3, path,
                   format, "Linear");
@@ -167,7 +177,8 @@ void saveVectors(const ImageV3& image, const std::string& path) {
 
 void saveLabels(const LabelImage& image, const std::string& path) {
     const Format format = formatOf(path);
-    if (format == Format::Jpeg || format == Format::Hdr) refuse(path, "labels", ".png, .tif or .exr");
+    if (format == Format::Jpeg || format == Format::Hdr)
+        refuse(path, Message("messages", "labels"), Message("messages", ".png, .tif or .exr"));
     const std::vector<std::uint32_t> labels(image.pixels().begin(), image.pixels().end());
     const bool small = std::ranges::all_of(labels, [](std::uint32_t label) { return label < 256; });
     if (format == Format::Exr) {

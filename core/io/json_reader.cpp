@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <sstream>
 
 namespace core {
 
@@ -22,34 +21,35 @@ std::string excerpt(const json& value) {
     return text;
 }
 
-std::string numberText(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
-}
-
-std::string rangeText(double min, double max) {
+Message rangeText(double min, double max) {
     const bool unlimited = max >= static_cast<double>(std::numeric_limits<float>::max());
-    return unlimited ? "a number of at least " + numberText(min)
-                     : "a number in [" + numberText(min) + ", " + numberText(max) + "]";
+    return unlimited ? Message("messages", "a number of at least %1").with(min)
+                     : Message("messages", "a number in [%1, %2]").with(min, max);
 }
 
 }  // namespace
 
+std::string quotedList(const std::vector<std::string>& words) {
+    std::string list;
+    for (const std::string& word : words) list += (list.empty() ? "\"" : ", \"") + word + "\"";
+    return list;
+}
+
 JsonReader::JsonReader(const json& value, std::string place, ErrorKind kind)
     : object_(&value), place_(std::move(place)), kind_(kind) {
     if (value.is_object()) return;
-    throw Error(kind, (place_.empty() ? "The value" : "\"" + place_ + "\"") + " is " + excerpt(value) +
-                          ", expected an object {...}.");
+    if (place_.empty())
+        throw Error(kind, Message("messages", "The value is %1, expected an object {...}.").with(excerpt(value)));
+    throw Error(kind, Message("messages", "\"%1\" is %2, expected an object {...}.").with(place_, excerpt(value)));
 }
 
 std::string JsonReader::place(const std::string& key) const { return place_.empty() ? key : place_ + "." + key; }
 
-void JsonReader::fail(const std::string& key, const std::string& expected, const json& found) const {
-    fail("\"" + place(key) + "\" is " + excerpt(found) + ", expected " + expected + ".");
+void JsonReader::fail(const std::string& key, const Message& expected, const json& found) const {
+    fail(Message("messages", "\"%1\" is %2, expected %3.").with(place(key), excerpt(found), expected));
 }
 
-void JsonReader::fail(const std::string& sentence) const { throw Error(kind_, sentence); }
+void JsonReader::fail(const Message& sentence) const { throw Error(kind_, sentence); }
 
 const json* JsonReader::find(const char* key) {
     known_.insert(key);
@@ -70,16 +70,16 @@ double JsonReader::number(const std::string& key, const json& value, double min,
 void JsonReader::read(const char* key, bool& target) {
     const json* value = find(key);
     if (value == nullptr) return;
-    if (!value->is_boolean()) fail(key, "true or false", *value);
+    if (!value->is_boolean()) fail(key, Message("messages", "true or false"), *value);
     target = value->get<bool>();
 }
 
 void JsonReader::read(const char* key, std::string& target) {
     const json* value = find(key);
     if (value == nullptr) return;
-    if (!value->is_string()) fail(key, "a text in quotes", *value);
+    if (!value->is_string()) fail(key, Message("messages", "a text in quotes"), *value);
     target = value->get<std::string>();
-    if (target.find('\0') != std::string::npos) fail(key, "a text without zero bytes", *value);
+    if (target.find('\0') != std::string::npos) fail(key, Message("messages", "a text without zero bytes"), *value);
 }
 
 void JsonReader::read(const char* key, float& target, float min, float max) {
@@ -100,7 +100,7 @@ void JsonReader::read(const char* key, int& target, int min, int max) {
 void JsonReader::read(const char* key, std::int64_t& target, std::int64_t min, std::int64_t max) {
     const json* value = find(key);
     if (value == nullptr) return;
-    const std::string expected = "a whole number from " + std::to_string(min) + " to " + std::to_string(max);
+    const Message expected = Message("messages", "a whole number from %1 to %2").with(min, max);
     if (!value->is_number_integer()) fail(key, expected, *value);
     const bool tooLarge = value->is_number_unsigned() && value->get<std::uint64_t>() > static_cast<std::uint64_t>(max);
     if (tooLarge || value->get<std::int64_t>() < min || value->get<std::int64_t>() > max) fail(key, expected, *value);
@@ -110,7 +110,7 @@ void JsonReader::read(const char* key, std::int64_t& target, std::int64_t min, s
 void JsonReader::read(const char* key, Vector3f& target, float min, float max) {
     const json* value = find(key);
     if (value == nullptr) return;
-    if (!value->is_array() || value->size() != 3) fail(key, "three numbers [r, g, b]", *value);
+    if (!value->is_array() || value->size() != 3) fail(key, Message("messages", "three numbers [r, g, b]"), *value);
     for (std::size_t c = 0; c < 3; ++c)
         target[static_cast<int>(c)] =
             static_cast<float>(number(std::string(key) + "[" + std::to_string(c) + "]", (*value)[c],
@@ -130,22 +130,19 @@ std::optional<std::size_t> JsonReader::readChoice(const char* key, const std::ve
         const auto found = std::ranges::find(words, value->get<std::string>());
         if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
     }
-    std::string expected = "one of";
-    for (const std::string& word : words) expected += (&word == words.data() ? " \"" : ", \"") + word + "\"";
-    fail(key, expected, *value);
+    fail(key, Message("messages", "one of %1").with(quotedList(words)), *value);
 }
 
 void JsonReader::require(const char* key) const {
-    if (!has(key)) fail("The key \"" + place(key) + "\" is missing.");
+    if (!has(key)) fail(Message("messages", "The key \"%1\" is missing.").with(place(key)));
 }
 
-void JsonReader::finish(const std::string& hint) const {
+void JsonReader::finish(const Message& hint) const {
     for (const auto& [key, value] : object_->items()) {
         if (known_.contains(key)) continue;
-        std::string expected;
-        for (const std::string& name : known_) expected += (expected.empty() ? "\"" : ", \"") + name + "\"";
-        fail("The key " + excerpt(json(place(key))) + " is unknown, expected " + expected + "." +
-             (hint.empty() ? "" : " " + hint));
+        const Error error(kind_, Message("messages", "The key %1 is unknown, expected %2.")
+                                     .with(excerpt(json(place(key))), quotedList({known_.begin(), known_.end()})));
+        throw hint.empty() ? error : error.withContext(hint);
     }
 }
 
@@ -163,13 +160,14 @@ json toJson(const Vector3f& v) { return json::array({toJson(v.x()), toJson(v.y()
 
 json parseJson(std::string_view text, ErrorKind kind) {
     std::vector<std::set<std::string>> open;
-    std::string problem;
+    Message problem;
     const auto check = [&](int depth, json::parse_event_t event, json& parsed) {
-        if (depth > kMaxNesting) problem = "The JSON text is nested deeper than " + std::to_string(kMaxNesting) + ".";
+        if (depth > kMaxNesting)
+            problem = Message("messages", "The JSON text is nested deeper than %1.").with(kMaxNesting);
         if (event == json::parse_event_t::object_start) open.emplace_back();
         if (event == json::parse_event_t::object_end && !open.empty()) open.pop_back();
         if (event == json::parse_event_t::key && !open.empty() && !open.back().insert(parsed.get<std::string>()).second)
-            problem = "The key \"" + parsed.get<std::string>() + "\" occurs twice.";
+            problem = Message("messages", "The key \"%1\" occurs twice.").with(parsed.get<std::string>());
         if (!problem.empty()) throw Error(kind, problem);
         return true;
     };
@@ -180,7 +178,7 @@ json parseJson(std::string_view text, ErrorKind kind) {
         if (const std::size_t at = reason.find("] "); at != std::string::npos) reason = reason.substr(at + 2);
         std::replace_if(
             reason.begin(), reason.end(), [](unsigned char c) { return c < 32; }, ' ');
-        throw Error(kind, "The JSON text is damaged: " + reason + ".");
+        throw Error(kind, Message("messages", "The JSON text is damaged: %1.").with(reason));
     }
 }
 

@@ -48,11 +48,11 @@ class JsonReader {
 
     /// Throws when a key is missing.
     void require(const char* key) const;
-    /// Throws when a key was never read; `hint` ends the message.
-    void finish(const std::string& hint = {}) const;
+    /// Throws when a key was never read; `hint` is a sentence that ends the message.
+    void finish(const Message& hint = {}) const;
 
-    [[noreturn]] void fail(const std::string& key, const std::string& expected, const nlohmann::json& found) const;
-    [[noreturn]] void fail(const std::string& sentence) const;
+    [[noreturn]] void fail(const std::string& key, const Message& expected, const nlohmann::json& found) const;
+    [[noreturn]] void fail(const Message& sentence) const;
     [[nodiscard]] ErrorKind kind() const { return kind_; }
 
   private:
@@ -66,6 +66,9 @@ class JsonReader {
 
 /// Parses a JSON document. Throws Error(kind) with line and column on a syntax error or a key that occurs twice.
 [[nodiscard]] nlohmann::json parseJson(std::string_view text, ErrorKind kind);
+
+/// `"a", "b"`.
+[[nodiscard]] std::string quotedList(const std::vector<std::string>& words);
 
 /// Shortest decimal number that reads back as the same float.
 [[nodiscard]] double toJson(float value);

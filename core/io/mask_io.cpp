@@ -22,8 +22,10 @@ std::shared_ptr<const Mask> loadMask(const std::string& path) {
         for (int x = 0; x < values.width(); ++x) {
             float& v = values(x, y);
             if (!std::isfinite(v))
-                throw Error(ErrorKind::Input, "The mask \"" + path + "\" has no number at (" + std::to_string(x) +
-                                                  ", " + std::to_string(y) + "), expected values from 0 to 1.");
+                throw Error(
+                    ErrorKind::Input,
+                    Message("messages", "The mask \"%1\" has no number at (%2, %3), expected values from 0 to 1.")
+                        .with(path, x, y));
             v *= scale;
         }
     auto mask = std::make_shared<Mask>(values);

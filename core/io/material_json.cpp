@@ -31,21 +31,21 @@ std::vector<std::string> brdfKeys() {
     return keys;
 }
 
-std::string parameterHint(const BrdfInfo& brdf) {
-    std::string names;
-    for (const ParamInfo& param : brdf.params) names += (names.empty() ? "\"" : ", \"") + std::string(param.key) + "\"";
-    return "The BRDF \"" + std::string(brdf.key) + "\" " +
-           (names.empty() ? "has no parameters of its own." : "has the parameters " + names + ".");
+Message parameterHint(const BrdfInfo& brdf) {
+    std::vector<std::string> names;
+    for (const ParamInfo& param : brdf.params) names.emplace_back(param.key);
+    if (names.empty()) return Message("messages", "The BRDF \"%1\" has no parameters of its own.").with(brdf.key);
+    return Message("messages", "The BRDF \"%1\" has the parameters %2.").with(brdf.key, quotedList(names));
 }
 
 const TranslucencyPreset& readPreset(JsonReader& reader) {
     std::string name;
     reader.read("preset", name);
     if (const TranslucencyPreset* found = findTranslucencyPreset(name)) return *found;
-    std::string names;
-    for (const TranslucencyPreset& p : translucencyPresets())
-        names += (names.empty() ? "\"" : ", \"") + std::string(p.key) + "\"";
-    reader.fail("\"" + reader.place("preset") + "\" is \"" + name + "\", expected one of " + names + ".");
+    std::vector<std::string> names;
+    for (const TranslucencyPreset& p : translucencyPresets()) names.emplace_back(p.key);
+    reader.fail(Message("messages", "\"%1\" is \"%2\", expected one of %3.")
+                    .with(reader.place("preset"), name, quotedList(names)));
 }
 
 /// How an object states absorption and scattering.
@@ -56,9 +56,10 @@ Substance findSubstance(JsonReader& reader, const std::string& place) {
     const bool coefficients = reader.has("sigma_a") || reader.has("sigma_s_prime");
     const bool diffuse = reader.has("diffuse_color") || reader.has("mean_free_path_mm");
     if (int{preset} + int{coefficients} + int{diffuse} != 1)
-        reader.fail("\"" + place +
-                    "\" needs exactly one of: \"preset\"; \"sigma_a\" with \"sigma_s_prime\"; \"diffuse_color\" with "
-                    "\"mean_free_path_mm\".");
+        reader.fail(Message("messages",
+                            "\"%1\" needs exactly one of: \"preset\"; \"sigma_a\" with \"sigma_s_prime\"; "
+                            "\"diffuse_color\" with \"mean_free_path_mm\".")
+                        .with(place));
     return preset ? Substance::Preset : coefficients ? Substance::Coefficients : Substance::Diffuse;
 }
 
@@ -139,24 +140,25 @@ std::vector<std::string> namedParameters(const json& edit) {
 }
 
 /// The material of the BRDF named in the edit, with its initial values.
-Material readBrdf(JsonReader& reader, const json& edit, const std::string& folder, std::vector<std::string>* notes) {
+Material readBrdf(JsonReader& reader, const json& edit, const std::string& folder, Notes* notes) {
     const json& name = *reader.find("brdf");
     if (!name.is_string() || !name.get<std::string>().starts_with(kFilePrefix))
         return defaultMaterial(brdfs()[*reader.readChoice("brdf", brdfKeys())]);
     const std::filesystem::path path(name.get<std::string>().substr(kFilePrefix.size()));
-    if (path.empty()) reader.fail("brdf", "a path after \"file:\"", name);
+    if (path.empty()) reader.fail("brdf", Message("messages", "a path after \"file:\""), name);
     const std::string full = path.is_absolute() ? path.string() : (std::filesystem::path(folder) / path).string();
     if (notes == nullptr) return fileMaterial(loadBrdfFile(full));
     Material material = fileMaterial(loadBrdfFileOrProblem(full, namedParameters(edit)));
     if (!usable(material))
-        notes->push_back("\"" + reader.place("brdf") + "\" is left out: " + material.brdfFile->problem);
+        notes->push_back(
+            Message("messages", "\"%1\" is left out: %2").with(reader.place("brdf"), material.brdfFile->problem));
     return material;
 }
 
 }  // namespace
 
 Material readMaterial(const json& value, const std::string& place, ErrorKind kind, MaskLoader& masks,
-                      const std::string& folder, std::vector<std::string>* notes) {
+                      const std::string& folder, Notes* notes) {
     JsonReader reader(value, place, kind);
     reader.require("brdf");
     Material material = readBrdf(reader, value, folder, notes);
@@ -166,15 +168,17 @@ Material readMaterial(const json& value, const std::string& place, ErrorKind kin
     for (const Metal& metal : metals()) metalKeys.emplace_back(metal.key);
     if (const auto metal = reader.readChoice("metal", metalKeys)) {
         if (!brdf.usesSpecular)
-            reader.fail("\"" + reader.place("metal") + "\" needs a BRDF with a Fresnel mode; \"" + brdf.key +
-                        "\" has none.");
+            reader.fail(Message("messages", "\"%1\" needs a BRDF with a Fresnel mode; \"%2\" has none.")
+                            .with(reader.place("metal"), brdf.key));
         if (reader.has("eta") || reader.has("k"))
-            reader.fail("Give \"" + reader.place("metal") + "\", or \"eta\" and \"k\", not both.");
+            reader.fail(
+                Message("messages", "Give \"%1\", or \"eta\" and \"k\", not both.").with(reader.place("metal")));
         setMetal(material, metals()[*metal]);
     }
     if (const json* specular = reader.find("specular")) {
         if (specular->is_string()) {
-            if (*specular != "estimated") reader.fail("specular", "[r, g, b] or \"estimated\"", *specular);
+            if (*specular != "estimated")
+                reader.fail("specular", Message("messages", "[r, g, b] or \"estimated\""), *specular);
             material.specular.reset();
         } else {
             Vector3f color;

@@ -17,8 +17,7 @@ namespace core {
 /// the current one). A file that cannot be used is an Error(Input) without `notes`; with it, the material keeps the
 /// problem and a sentence is added.
 [[nodiscard]] Material readMaterial(const nlohmann::json& value, const std::string& place, ErrorKind kind,
-                                    MaskLoader& masks, const std::string& folder = {},
-                                    std::vector<std::string>* notes = nullptr);
+                                    MaskLoader& masks, const std::string& folder = {}, Notes* notes = nullptr);
 /// `filePath` turns the path of a file into what is written; empty = unchanged.
 [[nodiscard]] nlohmann::ordered_json writeMaterial(const Material& material,
                                                    const std::function<std::string(const std::string&)>& filePath = {});

@@ -17,12 +17,20 @@ namespace core {
 
 namespace {
 
+// Shares of the time to load a photograph of 12 megapixels whose depth is smaller.
+/// Reading the depth.
+constexpr float kDepthEnd = 0.05f;
+/// Reading depth and colour.
+constexpr float kImportEnd = 0.5f;
+/// Enlarging the depth; the labels take the rest.
+constexpr float kEnlargeEnd = 0.9f;
+
 constexpr double kDefaultFovDegrees = 60;
 constexpr double kFilmDiagonal = 43.266615;  ///< diagonal [mm] of a 36 mm x 24 mm frame
 constexpr double kShapeTolerance = 0.02;     ///< relative difference of width / height
 
-void note(std::vector<std::string>* notes, const std::string& sentence) {
-    if (notes != nullptr) notes->push_back(sentence);
+void note(Notes* notes, Message sentence) {
+    if (notes != nullptr) notes->push_back(std::move(sentence));
 }
 
 std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
@@ -50,16 +58,17 @@ Image<T> enlarge(Image<T> image, const Camera& camera) {
 /// Turns a map to the photograph's orientation, still at its own resolution. A map without an orientation tag is turned
 /// when it has the shape of the photograph as stored.
 template <class T>
-Image<T> matchOrientation(Image<T> map, const std::string& path, const char* what, const Camera& camera,
-                          int mapOrientation, int colorOrientation, const std::string& colorPath) {
+Image<T> matchOrientation(Image<T> map, const std::string& path, const Message& what, const Camera& camera,
+                          int mapOrientation, int colorOrientation, const Message& colorPath) {
     if (fits(map.width(), map.height(), camera)) return map;
     if (mapOrientation == 1 && colorOrientation >= 5 && fits(map.height(), map.width(), camera))
         return applyOrientation(std::move(map), colorOrientation);
     throw Error(ErrorKind::Input,
-                std::string(what) + " size (" + sizeText(map.width(), map.height()) +
-                    ") differs from colour image size (" + sizeText(camera.width, camera.height) +
-                    "); expected the same size or a smaller image of the same shape. While loading \"" + path +
-                    "\" for \"" + colorPath + "\".");
+                Message("messages",
+                        "%1 size (%2) differs from colour image size (%3); expected the same size or a smaller image "
+                        "of the same shape.")
+                    .with(what, sizeText(map.width(), map.height()), sizeText(camera.width, camera.height)))
+        .withContext(Message("messages", "While loading \"%1\" for \"%2\".").with(path, colorPath));
 }
 
 /// Focal lengths of 0.01 to 1000 image sides, a principal point within 10 image sides.
@@ -82,7 +91,7 @@ std::string intrinsicsText(const Camera& camera) {
 
 /// The requested camera, or the `stated` one of the photograph's file, or one from its focal length.
 Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, const std::optional<Camera>& stated,
-                    std::vector<std::string>* notes) {
+                    Notes* notes) {
     const int w = info.width;
     const int h = info.height;
     const std::string& path = request.source.color;
@@ -92,44 +101,51 @@ Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, const st
         camera.height = h;
         if (!isSensible(camera))
             throw Error(ErrorKind::Usage,
-                        "The intrinsics " + intrinsicsText(camera) + " do not fit the colour image \"" + path +
-                            "\" of " + sizeText(w, h) +
-                            " pixels: expected focal lengths of 0.01 to 1000 image sides and a principal point "
-                            "within 10 image sides.");
+                        Message("messages",
+                                "The intrinsics %1 do not fit the colour image \"%2\" of %3 pixels: expected focal "
+                                "lengths of 0.01 to 1000 image sides and a principal point within 10 image sides.")
+                            .with(intrinsicsText(camera), path, sizeText(w, h)));
         return camera;
     }
     if (request.hfov) {
         if (!(*request.hfov > 0.001f && *request.hfov < 3.1f))
-            throw Error(ErrorKind::Usage, "The horizontal field of view is " +
-                                              std::to_string(*request.hfov * 180 / std::numbers::pi_v<float>) +
-                                              " degrees, expected 0.1 to 177.");
+            throw Error(ErrorKind::Usage,
+                        Message("messages", "The horizontal field of view is %1 degrees, expected 0.1 to 177.")
+                            .with(std::to_string(*request.hfov * 180 / std::numbers::pi_v<float>)));
         return Camera::fromHorizontalFov(w, h, *request.hfov);
     }
     if (stated) {
         if (isSensible(*stated)) {
-            note(notes, "The intrinsics are taken from \"" + path + "\": " + intrinsicsText(*stated) + ".");
+            note(notes,
+                 Message("messages", "The intrinsics are taken from \"%1\": %2.").with(path, intrinsicsText(*stated)));
             return *stated;
         }
-        note(notes, "The intrinsics in \"" + path +
-                        "\" are ignored, because they fit no camera: " + intrinsicsText(*stated) + ".");
+        note(notes, Message("messages", "The intrinsics in \"%1\" are ignored, because they fit no camera: %2.")
+                        .with(path, intrinsicsText(*stated)));
     }
     if (info.focal35mm) {
         const double diagonal = std::hypot(w, h);
         const auto focal = static_cast<float>(static_cast<double>(*info.focal35mm) * diagonal / kFilmDiagonal);
         std::ostringstream text;
-        text << "The focal length is taken from \"" << path << "\": " << *info.focal35mm << " mm (35 mm equivalent).";
-        note(notes, text.str());
+        text << *info.focal35mm;
+        note(notes, Message("messages", "The focal length is taken from \"%1\": %2 mm (35 mm equivalent).")
+                        .with(path, text.str()));
         return {w, h, focal, focal, 0.5f * static_cast<float>(w), 0.5f * static_cast<float>(h)};
     }
-    note(notes, "No focal length is given and \"" + path +
-                    "\" does not state one: assuming a horizontal field of view of 60 degrees.");
+    note(notes,
+         Message("messages",
+                 "No focal length is given and \"%1\" does not state one: assuming a horizontal field of view of "
+                 "60 degrees.")
+             .with(path)
+             .about(Setting::FieldOfView));
     return Camera::fromHorizontalFov(w, h, static_cast<float>(kDefaultFovDegrees * std::numbers::pi / 180));
 }
 
 std::optional<double> requestedUnit(const PhotoRequest& request) {
     if (request.depthUnit && (!(*request.depthUnit > 0) || !std::isfinite(*request.depthUnit)))
-        throw Error(ErrorKind::Usage, "The depth unit is " + std::to_string(*request.depthUnit) +
-                                          ", expected metres per stored unit, greater than 0.");
+        throw Error(ErrorKind::Usage,
+                    Message("messages", "The depth unit is %1, expected metres per stored unit, greater than 0.")
+                        .with(std::to_string(*request.depthUnit)));
     return request.depthUnit;
 }
 
@@ -138,8 +154,12 @@ double chooseUnit(const PhotoRequest& request, const std::string& depthPath, con
     const bool length = request.source.depthKind == DepthKind::Z || request.source.depthKind == DepthKind::Distance;
     if (format.floating) return 1;
     if (format.bits == 16 && length) return 0.001;
-    throw Error(ErrorKind::Usage, "The depth image \"" + depthPath + "\" stores " + std::to_string(format.bits) +
-                                      "-bit integers, whose unit cannot be guessed: give the metres per stored unit.");
+    throw Error(ErrorKind::Usage,
+                Message("messages",
+                        "The depth image \"%1\" stores %2-bit integers, whose unit cannot be guessed: give the metres "
+                        "per stored unit.")
+                    .with(depthPath, format.bits)
+                    .about(Setting::DepthUnit));
 }
 
 /// Stored values in the photograph's layout to planar z, still at their own resolution.
@@ -151,20 +171,20 @@ ImageF planarDepthInside(const Camera& camera, const ImageF& stored, DepthKind k
 }
 
 /// Enlarges the depth to the photograph, along its outlines.
-void enlargeDepth(Photo& photo, const std::string& path, std::vector<std::string>* notes) {
+void enlargeDepth(Photo& photo, const std::string& path, Notes* notes, const Progress& progress) {
     const int width = photo.depth.width();
     const int height = photo.depth.height();
     const Camera& camera = photo.camera;
     if (width == camera.width && height == camera.height) return;
-    note(notes, "The depth in \"" + path + "\" (" + sizeText(width, height) + ") is enlarged to the colour image (" +
-                    sizeText(camera.width, camera.height) + ").");
-    photo.depth = upsampleDepth(photo.depth, camera.width, camera.height, &photo.color);
+    note(notes, Message("messages", "The depth in \"%1\" (%2) is enlarged to the colour image (%3).")
+                    .with(path, sizeText(width, height), sizeText(camera.width, camera.height)));
+    photo.depth = upsampleDepth(photo.depth, camera.width, camera.height, &photo.color, progress);
     photo.depthStep = std::max({1.0f, static_cast<float>(camera.width) / static_cast<float>(width),
                                 static_cast<float>(camera.height) / static_cast<float>(height)});
 }
 
 /// A wrong unit shows in the median depth, which lies outside the range of any photograph.
-void noteImplausibleDepth(const ImageF& depth, const std::string& path, double unit, std::vector<std::string>* notes) {
+void noteImplausibleDepth(const ImageF& depth, const std::string& path, double unit, Notes* notes) {
     constexpr float kMinMedian = 0.05f;
     constexpr float kMaxMedian = 1000;
     std::vector<float> valid;
@@ -172,16 +192,17 @@ void noteImplausibleDepth(const ImageF& depth, const std::string& path, double u
         if (z > 0) valid.push_back(z);
     const float middle = median(valid);
     if (middle >= kMinMedian && middle <= kMaxMedian) return;
-    std::ostringstream text;
-    text << "The median depth in \"" << path << "\" is " << middle << " m with a unit of " << unit << " m, expected "
-         << kMinMedian << " to " << kMaxMedian
-         << " m: the unit is probably wrong. Give the metres per stored unit (0.001 for millimetres, 1 for metres), "
-            "or the right kind of depth.";
-    note(notes, text.str());
+    note(notes,
+         Message("messages",
+                 "The median depth in \"%1\" is %2 m with a unit of %3 m, expected %4 to %5 m: the unit is probably "
+                 "wrong. Give the metres per stored unit (0.001 for millimetres, 1 for metres), or the right kind of "
+                 "depth.")
+             .with(path, middle, unit, kMinMedian, kMaxMedian)
+             .about(Setting::DepthUnitOrKind));
 }
 
-ImageF readDepthFile(const std::string& path, const Camera& camera, int colorOrientation, const std::string& colorPath,
-                     const char* what) {
+ImageF readDepthFile(const std::string& path, const Camera& camera, int colorOrientation, const Message& colorPath,
+                     const Message& what) {
     return matchOrientation(loadScalar(path), path, what, camera, readImageInfo(path).orientation, colorOrientation,
                             colorPath);
 }
@@ -205,10 +226,10 @@ std::optional<ImportedPhoto> importPhoto(const PhotoSource& source) {
 }
 
 [[noreturn]] void refuseWithoutDepth(const std::string& path) {
-    std::string known;
-    for (const ImportFormat* format : importFormats()) known += (known.empty() ? "" : ", ") + std::string(format->name);
-    throw Error(ErrorKind::Input,
-                "\"" + path + "\" contains no depth map (" + known + "), and no depth image is given.");
+    std::vector<Message> known;
+    for (const ImportFormat* format : importFormats()) known.emplace_back("messages", format->name);
+    throw Error(ErrorKind::Input, Message("messages", "\"%1\" contains no depth map (%2), and no depth image is given.")
+                                      .with(path, listed(known)));
 }
 
 /// Removes the depth of pixels that surfaces cover only in part (antialiased, moving or out of focus), because it is a
@@ -230,28 +251,31 @@ ImageF withoutMixedDepth(ImageF depth, const ImageF& coverage) {
 
 /// Depth from inside the photograph's file; fills in the kind and unit that the file states.
 ImageF importedDepth(const ImportedPhoto& imported, const PhotoRequest& request, PhotoSource& source,
-                     const Camera& camera, std::vector<std::string>* notes) {
+                     const Camera& camera, Notes* notes) {
     if (imported.kind) {
         if (source.depthKind != DepthKind::Z && source.depthKind != *imported.kind)
-            throw Error(ErrorKind::Usage, "The depth kind is \"" + std::string(wordOf(source.depthKind)) +
-                                              "\", but the file says that the depth inside \"" + source.color +
-                                              "\" is \"" + wordOf(*imported.kind) + "\".");
+            throw Error(ErrorKind::Usage,
+                        Message("messages",
+                                "The depth kind is \"%1\", but the file says that the depth inside \"%2\" is \"%3\".")
+                            .with(wordOf(source.depthKind), source.color, wordOf(*imported.kind)));
         source.depthKind = *imported.kind;
     }
     const auto given = requestedUnit(request);
     source.depthUnit = given.value_or(imported.unit);
     if (!given && !imported.assumedUnit.empty()) note(notes, imported.assumedUnit);
     const ImageF stored = matchOrientation(withoutMixedDepth(imported.depth, imported.coverage), source.color,
-                                           "Depth image", camera, 1, 1, source.color);
+                                           Message("messages", "Depth image"), camera, 1, 1, source.color);
     return planarDepthInside(camera, stored, source.depthKind, source.depthUnit);
 }
 
 void requireValidDepth(const ImageF& depth, const std::string& path) {
     for (const float z : depth.pixels())
         if (z > 0) return;
-    throw Error(ErrorKind::Input, "Depth image \"" + path +
-                                      "\" has no valid pixel: every value is zero, negative, not a number or beyond " +
-                                      std::to_string(static_cast<int>(kMaxDepth)) + " m.");
+    throw Error(ErrorKind::Input,
+                Message("messages",
+                        "Depth image \"%1\" has no valid pixel: every value is zero, negative, not a number or beyond "
+                        "%2 m.")
+                    .with(path, static_cast<int>(kMaxDepth)));
 }
 
 }  // namespace
@@ -271,7 +295,8 @@ ImageF planarDepth(const ImageF& stored, DepthKind kind, double unit, const Came
     return result;
 }
 
-std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, std::vector<std::string>* notes) {
+std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, Notes* notes, const Progress& progress) {
+    progress.checkpoint(0);
     auto photo = std::make_shared<Photo>();
     photo->source = request.source;
     PhotoSource& source = photo->source;
@@ -288,43 +313,53 @@ std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, std::vector<
     } else {
         source.depthUnit = chooseUnit(request, source.depth, storedFormat(source.depth));
         photo->depth = planarDepthInside(
-            camera, readDepthFile(source.depth, camera, info.orientation, source.color, "Depth image"),
+            camera,
+            readDepthFile(source.depth, camera, info.orientation, source.color, Message("messages", "Depth image")),
             source.depthKind, source.depthUnit);
     }
     const std::string& depthPath = source.depth.empty() ? source.color : source.depth;
     requireValidDepth(photo->depth, depthPath);
     noteImplausibleDepth(photo->depth, depthPath, source.depthUnit, notes);
+    progress.checkpoint(imported ? kImportEnd : kDepthEnd);
     photo->color = imported ? std::move(imported->color) : loadColor(source.color, notes);
     if (imported)
         photo->clipLevel = imported->clipLevel;
     else if (!info.format.floating)
         photo->clipLevel = 1;
-    enlargeDepth(*photo, depthPath, notes);
+    enlargeDepth(*photo, depthPath, notes, progress.part(kImportEnd, kEnlargeEnd));
+    progress.checkpoint(kEnlargeEnd);
     if (imported)
-        for (const std::string& remark : imported->remarks) note(notes, remark);
+        for (const Message& remark : imported->remarks) note(notes, remark);
     if (source.segments.empty()) {
         photo->labels = LabelImage(camera.width, camera.height, 0);
     } else {
         const ImageInfo labelInfo = readImageInfo(source.segments);
-        photo->labels = enlarge(matchOrientation(loadLabels(source.segments), source.segments, "Label map", camera,
-                                                 labelInfo.orientation, info.orientation, source.color),
-                                camera);
+        photo->labels =
+            enlarge(matchOrientation(loadLabels(source.segments), source.segments, Message("messages", "Label map"),
+                                     camera, labelInfo.orientation, info.orientation, source.color),
+                    camera);
     }
+    progress.checkpoint(1);
     return photo;
 }
 
 std::shared_ptr<const ImageRgb> loadEnvironment(const std::string& path) {
     auto image = std::make_shared<ImageRgb>(loadColor(path));
     if (image->width() != 2 * image->height())
-        throw Error(ErrorKind::Input, "Environment \"" + path + "\" has " + sizeText(image->width(), image->height()) +
-                                          " pixels, expected a latitude-longitude map, twice as wide as high.");
+        throw Error(
+            ErrorKind::Input,
+            Message("messages",
+                    "Environment \"%1\" has %2 pixels, expected a latitude-longitude map, twice as wide as high.")
+                .with(path, sizeText(image->width(), image->height())));
     return image;
 }
 
 std::shared_ptr<const ImageF> loadBackDepth(const std::string& path, const Camera& camera) {
     const StoredFormat format = storedFormat(path);
-    const ImageF depth = planarDepthInside(camera, readDepthFile(path, camera, 1, "the photograph", "Back depth image"),
-                                           DepthKind::Z, format.floating ? 1.0 : 0.001);
+    const ImageF depth = planarDepthInside(
+        camera,
+        readDepthFile(path, camera, 1, Message("messages", "the photograph"), Message("messages", "Back depth image")),
+        DepthKind::Z, format.floating ? 1.0 : 0.001);
     requireValidDepth(depth, path);
     return std::make_shared<ImageF>(upsampleDepth(depth, camera.width, camera.height, nullptr));
 }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
+#include "core/base/progress.h"
 #include "core/scene/scene.h"
 
 namespace core {
@@ -20,7 +22,8 @@ struct PhotoRequest {
 
 /// Reads and fits together colour, depth and labels. Throws Error(Input), and Error(Usage) for a unit that has to be
 /// given or intrinsics that cannot be.
-[[nodiscard]] std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, std::vector<std::string>* notes);
+[[nodiscard]] std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, Notes* notes,
+                                                     const Progress& progress = {});
 
 /// Stored depth values to planar z [m]; 0 where there is none: not finite, ≤ 0, or beyond kMaxDepth. `camera` has the
 /// stored image's size. Kinds: see DepthKind; `unit` in metres.

@@ -23,14 +23,17 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kVersion = 1;
+/// Share of the time to load a project that its photograph takes; masks, BRDFs and maps take the rest.
+constexpr float kPhotoEnd = 0.9f;
 constexpr std::size_t kMaxProjectBytes = std::size_t{64} << 20U;
-std::string knownLabels(const Scene& scene) {
+
+Message knownLabels(const Scene& scene) {
     std::string text;
     for (const Segment& segment : scene.segments) {
         text += (text.empty() ? "" : ", ") + std::to_string(segment.label);
         if (segment.name != "segment " + std::to_string(segment.label)) text += " (" + segment.name + ")";
     }
-    return text.empty() ? "it has no segments" : "it has " + text;
+    return text.empty() ? Message("messages", "it has no segments") : Message("messages", "it has %1").with(text);
 }
 
 /// Resolves the paths of a project file, which are relative to its folder.
@@ -76,7 +79,7 @@ PhotoRequest readPhoto(const json& value, const PathReader& paths) {
 }
 
 Segment readSegment(const json& value, const std::string& place, MaskLoader& masks, const std::string& folder,
-                    std::vector<std::string>* notes) {
+                    Notes* notes) {
     JsonReader reader(value, place, ErrorKind::Input);
     Segment segment;
     reader.require("label");
@@ -85,7 +88,8 @@ Segment readSegment(const json& value, const std::string& place, MaskLoader& mas
     segment.label = static_cast<std::uint16_t>(label);
     segment.name = "segment " + std::to_string(label);
     reader.read("name", segment.name);
-    if (segment.name.empty()) reader.fail("\"" + reader.place("name") + "\" is empty, expected a name.");
+    if (segment.name.empty())
+        reader.fail(Message("messages", "\"%1\" is empty, expected a name.").with(reader.place("name")));
     readParams(reader, segmentParams(), segment);
     if (const json* edit = reader.find("edit"))
         segment.edit = readMaterial(*edit, reader.place("edit"), ErrorKind::Input, masks, folder, notes);
@@ -93,9 +97,10 @@ Segment readSegment(const json& value, const std::string& place, MaskLoader& mas
     return segment;
 }
 
-void readSegments(const json& list, const std::string& folder, Scene& scene, std::vector<std::string>* notes) {
+void readSegments(const json& list, const std::string& folder, Scene& scene, Notes* notes) {
     MaskLoader masks(folder);
-    if (!list.is_array()) throw Error(ErrorKind::Input, "\"segments\" is not a list [...].");
+    if (!list.is_array())
+        throw Error(ErrorKind::Input, Message("messages", "\"%1\" is not a list [...].").with("segments"));
     std::set<std::uint16_t> labels;
     std::set<std::string> names;
     std::set<std::uint16_t> present;
@@ -105,15 +110,16 @@ void readSegments(const json& list, const std::string& folder, Scene& scene, std
         const std::string place = "segments[" + std::to_string(i) + "]";
         Segment segment = readSegment(list[i], place, masks, folder, notes);
         if (!present.contains(segment.label))
-            throw Error(ErrorKind::Input, "\"" + place + ".label\" is " + std::to_string(segment.label) +
-                                              ", but the label map \"" + scene.photo->source.segments +
-                                              "\" has no such label.");
+            throw Error(ErrorKind::Input,
+                        Message("messages", "\"%1.label\" is %2, but the label map \"%3\" has no such label.")
+                            .with(place, segment.label, scene.photo->source.segments));
         if (!labels.insert(segment.label).second)
-            throw Error(ErrorKind::Input, "\"" + place + ".label\" is " + std::to_string(segment.label) +
-                                              ", which another segment has already.");
+            throw Error(ErrorKind::Input, Message("messages", "\"%1.label\" is %2, which another segment has already.")
+                                              .with(place, segment.label));
         if (!names.insert(segment.name).second)
             throw Error(ErrorKind::Input,
-                        "\"" + place + ".name\" is \"" + segment.name + "\", which another segment has already.");
+                        Message("messages", "\"%1.name\" is \"%2\", which another segment has already.")
+                            .with(place, segment.name));
         scene.segments.push_back(std::move(segment));
     }
 }
@@ -121,16 +127,17 @@ void readSegments(const json& list, const std::string& folder, Scene& scene, std
 void readVersion(JsonReader& reader) {
     std::string format;
     reader.read("format", format);
-    if (format != "patina") reader.fail("The file is not a Patina project: expected \"format\": \"patina\".");
+    if (format != "patina")
+        reader.fail(Message("messages", "The file is not a Patina project: expected \"format\": \"patina\"."));
     reader.require("version");
     int version = 0;
     reader.read("version", version, 1, std::numeric_limits<int>::max());
     if (version > kVersion)
-        reader.fail("The project has version " + std::to_string(version) + ", this program reads up to version " +
-                    std::to_string(kVersion) + ".");
+        reader.fail(Message("messages", "The project has version %1, this program reads up to version %2.")
+                        .with(version, kVersion));
 }
 
-Scene readProject(const std::string& path, std::vector<std::string>* notes) {
+Scene readProject(const std::string& path, Notes* notes, const Progress& progress) {
     const json document = parseJson(readFile(path, kMaxProjectBytes), ErrorKind::Input);
     JsonReader reader(document, "", ErrorKind::Input);
     readVersion(reader);
@@ -145,9 +152,9 @@ Scene readProject(const std::string& path, std::vector<std::string>* notes) {
     });
     reader.finish();
 
-    scene.photo = loadPhoto(readPhoto(*photo, paths), notes);
+    scene.photo = loadPhoto(readPhoto(*photo, paths), notes, progress.part(0, kPhotoEnd));
     if (segments != nullptr) {
-        std::vector<std::string> unheard;
+        Notes unheard;
         readSegments(*segments, fs::path(path).parent_path().string(), scene, notes != nullptr ? notes : &unheard);
         requireMasksFit(scene);
     }
@@ -209,7 +216,7 @@ ordered_json writeScene(const Scene& scene, const fs::path& folder) {
 
 }  // namespace
 
-Scene createScene(const CreateOptions& options, std::vector<std::string>* notes) {
+Scene createScene(const CreateOptions& options, Notes* notes, const Progress& progress) {
     PhotoRequest request;
     request.source.color = options.color;
     request.source.depth = options.depth;
@@ -219,25 +226,25 @@ Scene createScene(const CreateOptions& options, std::vector<std::string>* notes)
     request.intrinsics = options.intrinsics;
     request.hfov = options.hfov;
     Scene scene;
-    scene.photo = loadPhoto(request, notes);
+    scene.photo = loadPhoto(request, notes, progress);
     addMissingSegments(scene);
     for (const std::string& name : options.glossy) {
         Segment* segment = scene.findSegment(name);
         if (segment == nullptr)
-            throw Error(ErrorKind::Usage, "There is no segment \"" + name + "\" in \"" +
-                                              (options.segments.empty() ? options.color : options.segments) +
-                                              "\": " + knownLabels(scene) + ".");
+            throw Error(ErrorKind::Usage, Message("messages", "There is no segment \"%1\" in \"%2\": %3.")
+                                              .with(name, options.segments.empty() ? options.color : options.segments,
+                                                    knownLabels(scene)));
         segment->glossy = true;
     }
     return scene;
 }
 
-Scene loadProject(const std::string& path, std::vector<std::string>* notes) {
+Scene loadProject(const std::string& path, Notes* notes, const Progress& progress) {
     try {
-        return readProject(path, notes);
+        return readProject(path, notes, progress);
     } catch (const Error& error) {
         const ErrorKind kind = error.kind() == ErrorKind::Usage ? ErrorKind::Input : error.kind();
-        throw Error(kind, error.what()).withContext("While loading \"" + path + "\".");
+        throw error.as(kind).withContext(Message("messages", "While loading \"%1\".").with(path));
     }
 }
 
@@ -249,8 +256,9 @@ void saveProject(const Scene& scene, const std::string& path) {
     try {
         writeFileAtomically(path, writeScene(withSavedMasks(scene, path), folder).dump(2) + "\n");
     } catch (const json::exception&) {
-        throw Error(ErrorKind::Output,
-                    "Cannot write \"" + path + "\": a file or segment name in it is not valid UTF-8.");
+        throw Error(
+            ErrorKind::Output,
+            Message("messages", "Cannot write \"%1\": a file or segment name in it is not valid UTF-8.").with(path));
     }
 }
 

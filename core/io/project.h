@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
+#include "core/base/progress.h"
 #include "core/scene/scene.h"
 
 namespace core {
@@ -30,12 +32,12 @@ struct CreateOptions {
 /// that nothing is blended across an edge. Throws Error(Input) naming the file, what was expected and what was found,
 /// and Error(Usage) for options that are out of range or name labels that do not occur. `notes` receives sentences for
 /// the user about what was assumed.
-[[nodiscard]] Scene createScene(const CreateOptions& options, std::vector<std::string>* notes = nullptr);
+[[nodiscard]] Scene createScene(const CreateOptions& options, Notes* notes = nullptr, const Progress& progress = {});
 
 /// Reads a `.patina` project (JSON; format in docs/project-format.md). Image paths are relative to the project file.
 /// Unknown keys, wrong types and out-of-range values are errors that name the key. An edit whose BRDF's file cannot be
 /// used is kept but shows the photograph (core::usable); a note says so.
-[[nodiscard]] Scene loadProject(const std::string& path, std::vector<std::string>* notes = nullptr);
+[[nodiscard]] Scene loadProject(const std::string& path, Notes* notes = nullptr, const Progress& progress = {});
 
 /// Writes atomically: a temporary file beside the target, flushed, then renamed; the old file survives any failure.
 /// Painted masks are written first (core/io/mask_io.h).

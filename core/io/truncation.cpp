@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 #include "core/io/tiff_bytes.h"
 
@@ -31,6 +32,39 @@ std::uint64_t valueSize(std::uint64_t type) {
         default:
             return 0;
     }
+}
+
+/// Places and sizes of the strips or tiles.
+struct TiffDirectory {
+    TiffArray offsets;
+    TiffArray sizes;
+};
+
+/// The first directory; nullopt if it is damaged. `fileSize` in bytes.
+std::optional<TiffDirectory> readDirectory(const TiffBytes& file, std::size_t fileSize) {
+    const bool big = file.integer(2, 2) == 43U;
+    const std::uint64_t word = big ? 8 : 4;  // bytes of an offset
+    const std::uint64_t entryBytes = big ? 20 : 12;
+    const auto directory = file.integer(big ? 8 : 4, word);
+    if (!directory) return std::nullopt;
+    const auto entries = file.integer(*directory, big ? 8 : 2);
+    if (!entries || *entries > 65535) return std::nullopt;
+    TiffDirectory result;
+    for (std::uint64_t i = 0; i < *entries; ++i) {
+        const std::uint64_t at = *directory + (big ? 8 : 2) + entryBytes * i;
+        const auto tag = file.integer(at, 2);
+        const auto type = file.integer(at + 2, 2);
+        const auto count = file.integer(at + 4, word);
+        const auto pointer = file.integer(at + 4 + word, word);
+        if (!tag || !type || !count || !pointer) return std::nullopt;
+        const bool isOffsets = *tag == 273 || *tag == 324;  // StripOffsets, TileOffsets
+        const bool isSizes = *tag == 279 || *tag == 325;    // StripByteCounts, TileByteCounts
+        if (!isOffsets && !isSizes) continue;
+        const std::uint64_t size = valueSize(*type);
+        if (size == 0 || *count > fileSize) return std::nullopt;
+        (isOffsets ? result.offsets : result.sizes) = {*count * size <= word ? at + 4 + word : *pointer, size, *count};
+    }
+    return result;
 }
 
 }  // namespace
@@ -62,29 +96,9 @@ bool jpegIsComplete(std::string_view bytes) {
 
 bool tiffIsComplete(std::string_view bytes) {
     const TiffBytes file(bytes);
-    const bool big = file.integer(2, 2) == 43U;
-    const std::uint64_t word = big ? 8 : 4;  // bytes of an offset
-    const auto directory = file.integer(big ? 8 : 4, word);
-    if (!directory) return false;
-    const auto entries = file.integer(*directory, big ? 8 : 2);
-    if (!entries || *entries > 65535) return false;
-    TiffArray offsets;
-    TiffArray sizes;
-    for (std::uint64_t i = 0; i < *entries; ++i) {
-        const std::uint64_t at = *directory + (big ? 8 + 20 * i : 2 + 12 * i);
-        const auto tag = file.integer(at, 2);
-        const auto type = file.integer(at + 2, 2);
-        const auto count = file.integer(at + 4, word);
-        const auto pointer = file.integer(at + 4 + word, word);
-        if (!tag || !type || !count || !pointer) return false;
-        const bool isOffsets = *tag == 273 || *tag == 324;  // StripOffsets, TileOffsets
-        const bool isSizes = *tag == 279 || *tag == 325;    // StripByteCounts, TileByteCounts
-        if (!isOffsets && !isSizes) continue;
-        const std::uint64_t size = valueSize(*type);
-        if (size == 0 || *count > bytes.size()) return false;
-        (isOffsets ? offsets : sizes) = {*count * size <= word ? at + 4 + word : *pointer, size, *count};
-    }
-    if (offsets.count == 0) return false;
+    const auto directory = readDirectory(file, bytes.size());
+    if (!directory || directory->offsets.count == 0) return false;
+    const auto& [offsets, sizes] = *directory;
     for (std::uint64_t i = 0; i < std::min(offsets.count, sizes.count); ++i) {
         const auto begin = file.integer(offsets.begin + i * offsets.size, offsets.size);
         const auto length = file.integer(sizes.begin + i * sizes.size, sizes.size);

@@ -59,9 +59,10 @@ kernel::BrdfParams toKernel(const Material& material, const Vector3f& estimatedS
     const BrdfInfo* info = findBrdf(material);
     if (!usable(material)) throw Error(ErrorKind::Input, material.brdfFile->problem);
     if (info == nullptr) {
-        std::string known;
-        for (const BrdfInfo& other : kBrdfs) known += (known.empty() ? "" : ", ") + std::string(other.key);
-        throw Error(ErrorKind::Usage, "There is no BRDF \"" + material.brdf + "\"; known are: " + known + ".");
+        std::vector<Message> known;
+        for (const BrdfInfo& other : kBrdfs) known.emplace_back(other.key);
+        throw Error(ErrorKind::Usage,
+                    Message("messages", "There is no BRDF \"%1\"; known are: %2.").with(material.brdf, listed(known)));
     }
     kernel::BrdfParams b;
     b.albedo = toVec4(material.albedo);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/material/material.h"
 #include "shaders/shared/brdf_params.h"
 #include "shaders/shared/param_info.h"
@@ -30,9 +31,9 @@ struct BrdfInfo {
 
 /// A BRDF that a file defines. Immutable and shared by the materials that name the file.
 struct BrdfFile {
-    std::string path;     ///< absolute, or relative to the current folder
-    std::string name;     ///< for people
-    std::string problem;  ///< why it is unusable, a full sentence that names the file; "" = usable
+    std::string path;  ///< absolute, or relative to the current folder
+    std::string name;  ///< for people
+    Message problem;   ///< why it is unusable, a full sentence that names the file; empty = usable
     std::shared_ptr<const MeasuredBrdf> measured;  ///< this or `user`, when usable
     std::shared_ptr<const UserBrdf> user;
     BrdfInfo info;                       ///< key kFileBrdf

@@ -105,7 +105,7 @@ std::shared_ptr<const BrdfFile> loadBrdfFileOrProblem(const std::string& path, c
         return loadBrdfFile(path);
     } catch (const Error& error) {
         const std::shared_ptr<BrdfFile> file = makeBrdfFile(path);
-        file->problem = error.what();
+        file->problem = error.message();
         for (const std::string& key : keys) {
             if (file->unread.size() == kBrdfValueCount) break;
             const char* name = file->unreadKeys.emplace_back(key).c_str();

@@ -50,7 +50,7 @@ class Tokenizer {
     }
 
   private:
-    [[noreturn]] void refuse(const std::string& reason) const { refuseGlsl(path_, line_, reason); }
+    [[noreturn]] void refuse(const Message& reason) const { refuseGlsl(path_, line_, reason); }
 
     void lineComment() {
         const std::size_t end = std::min(text_.find('\n', at_), text_.size());
@@ -60,7 +60,7 @@ class Tokenizer {
 
     void blockComment() {
         const std::size_t end = text_.find("*/", at_ + 2);
-        if (end == std::string_view::npos) refuse("This comment does not end.");
+        if (end == std::string_view::npos) refuse(Message("messages", "This comment does not end."));
         for (; at_ < end; ++at_)
             if (text_[at_] == '\n') ++line_;
         at_ = end + 2;
@@ -68,7 +68,7 @@ class Tokenizer {
 
     void token() {
         if (result_.tokens.size() == kMaxGlslTokens)
-            refuse("The text is too long: more than " + std::to_string(kMaxGlslTokens) + " words and signs.");
+            refuse(Message("messages", "The text is too long: more than %1 words and signs.").with(kMaxGlslTokens));
         const char c = text_[at_];
         const char next = at_ + 1 < text_.size() ? text_[at_ + 1] : ' ';
         GlslToken token{.text = {}, .line = line_, .kind = GlslToken::Kind::Sign};
@@ -90,7 +90,8 @@ class Tokenizer {
     [[nodiscard]] std::size_t nameLength() const {
         std::size_t end = at_;
         while (end < text_.size() && (isNameStart(text_[end]) || isDigit(text_[end]))) ++end;
-        if (end - at_ > kMaxGlslName) refuse("A name has more than " + std::to_string(kMaxGlslName) + " characters.");
+        if (end - at_ > kMaxGlslName)
+            refuse(Message("messages", "A name has more than %1 characters.").with(kMaxGlslName));
         return end - at_;
     }
 
@@ -105,7 +106,8 @@ class Tokenizer {
             ++end;
         const std::string_view number = text_.substr(at_, end - at_);
         if (number.size() > kMaxGlslName || number.find_first_of("lLhH_") != std::string_view::npos)
-            refuse("\"" + std::string(number.substr(0, kMaxGlslName)) + "\" is no int, uint or float.");
+            refuse(Message("messages", "\"%1\" is no int, uint or float.")
+                       .with(std::string(number.substr(0, kMaxGlslName))));
         return end - at_;
     }
 
@@ -114,11 +116,13 @@ class Tokenizer {
             "<<=", ">>=", "++", "--", "+=", "-=", "*=", "/=", "&=", "|=",
             "^=",  "==",  "!=", "<=", ">=", "&&", "||", "^^", "<<", ">>"};
         const char c = text_[at_];
-        if (c == '#') refuse("Lines with # are not allowed here: no #include, #define, #extension or #version.");
-        if (c == '%') refuse("There is no % here; mod(x, y) does it for floats.");
+        if (c == '#')
+            refuse(Message("messages",
+                           "Lines with # are not allowed here: no #include, #define, #extension or #version."));
+        if (c == '%') refuse(Message("messages", "There is no % here; mod(x, y) does it for floats."));
         if (std::string_view("+-*/<>=!&|^~?:;,.(){}[]").find(c) == std::string_view::npos)
-            refuse(c > ' ' && c < 127 ? std::string("The sign ") + c + " is not allowed here."
-                                      : "There is a character here that is no GLSL.");
+            refuse(c > ' ' && c < 127 ? Message("messages", "The sign %1 is not allowed here.").with(std::string(1, c))
+                                      : Message("messages", "There is a character here that is not GLSL."));
         for (const std::string_view sign : kSigns)
             if (text_.substr(at_, sign.size()) == sign) return sign.size();
         return 1;
@@ -137,30 +141,35 @@ void checkShape(const std::string& path, const std::vector<GlslToken>& tokens) {
     std::size_t statement = 0;
     int elses = 0;
     for (const GlslToken& t : tokens) {
-        if (++statement > kMaxGlslStatement) refuseGlsl(path, t.line, "This statement is too long.");
-        if (t.is("else") && ++elses > kMaxGlslElses) refuseGlsl(path, t.line, "There are too many \"else\".");
+        if (++statement > kMaxGlslStatement)
+            refuseGlsl(path, t.line, Message("messages", "This statement is too long."));
+        if (t.is("else") && ++elses > kMaxGlslElses)
+            refuseGlsl(path, t.line, Message("messages", "There are too many \"else\"."));
         if (t.is("(") || t.is("{") || t.is("[")) {
             open.push_back(&t);
-            if (open.size() > kMaxGlslNesting) refuseGlsl(path, t.line, "Brackets are nested too deeply.");
+            if (open.size() > kMaxGlslNesting)
+                refuseGlsl(path, t.line, Message("messages", "Brackets are nested too deeply."));
         } else if (t.is(")") || t.is("}") || t.is("]")) {
             const char* expected = t.is(")") ? "(" : t.is("}") ? "{" : "[";
             if (open.empty() || !open.back()->is(expected))
-                refuseGlsl(path, t.line, "There is no bracket that this \"" + t.text + "\" closes.");
+                refuseGlsl(path, t.line,
+                           Message("messages", "There is no bracket that this \"%1\" closes.").with(t.text));
             open.pop_back();
         }
         if (t.is(";") || t.is("{") || t.is("}")) statement = 0;
     }
-    if (!open.empty()) refuseGlsl(path, open.back()->line, "This \"" + open.back()->text + "\" is not closed.");
+    if (!open.empty())
+        refuseGlsl(path, open.back()->line, Message("messages", "This \"%1\" is not closed.").with(open.back()->text));
 }
 
 }  // namespace
 
-void refuseGlsl(const std::string& path, int line, const std::string& reason) {
-    throw Error(ErrorKind::Input, path + ":" + std::to_string(line) + ": " + reason);
+void refuseGlsl(const std::string& path, int line, const Message& reason) {
+    throw Error(ErrorKind::Input, Message("messages", "%1:%2: %3").with(path, line, reason));
 }
 
 GlslText tokenizeGlsl(const std::string& path, std::string_view text) {
-    if (!validUtf8(text)) refuseGlsl(path, 1, "The file is no text in UTF-8.");
+    if (!validUtf8(text)) refuseGlsl(path, 1, Message("messages", "The file is no text in UTF-8."));
     GlslText result = Tokenizer(path, text).run();
     checkShape(path, result.tokens);
     return result;

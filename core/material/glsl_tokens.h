@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace core {
 
 /// A word or sign of a GLSL text; comments are skipped.
@@ -24,7 +26,7 @@ struct GlslText {
 };
 
 /// Throws Error(Input) "PATH:LINE: REASON".
-[[noreturn]] void refuseGlsl(const std::string& path, int line, const std::string& reason);
+[[noreturn]] void refuseGlsl(const std::string& path, int line, const Message& reason);
 
 // Limits of a text that bound the time, memory and recursion depth of everything that reads it later.
 inline constexpr std::size_t kMaxGlslTokens = 6000;

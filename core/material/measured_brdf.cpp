@@ -27,6 +27,8 @@ using kernel::kMeasuredThetaH;
 using kernel::kMeasuredValues;
 
 constexpr std::array<std::int32_t, 3> kDimensions{90, 90, 180};
+constexpr std::array<const char*, 3> kPlanes{MESSAGE_TEXT("messages", "red"), MESSAGE_TEXT("messages", "green"),
+                                             MESSAGE_TEXT("messages", "blue")};
 constexpr std::array<double, 3> kScale{1 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0};
 constexpr std::size_t kEntries = std::size_t{kMeasuredThetaH} * kMeasuredThetaD * kMeasuredPhiD;
 constexpr std::size_t kFileBytes = sizeof(kDimensions) + 3 * kEntries * sizeof(double);
@@ -92,18 +94,20 @@ void tabulateSampling(std::vector<float>& table, std::uint32_t row) {
 
 std::shared_ptr<const MeasuredBrdf> loadMeasuredBrdf(const std::string& path) {
     const std::size_t size = checkedFileSize(path);
-    const std::string expected = "expected a measured BRDF in MERL's binary format: dimensions 90, 90, 180, then " +
-                                 std::to_string(kFileBytes - sizeof(kDimensions)) + " bytes of values";
+    const Message expected =
+        Message("messages",
+                "expected a measured BRDF in MERL's binary format: dimensions 90, 90, 180, then %1 bytes of values")
+            .with(kFileBytes - sizeof(kDimensions));
     if (size != kFileBytes)
-        throw Error(ErrorKind::Input, "\"" + path + "\" has " + std::to_string(size) + " bytes, " + expected + ", " +
-                                          std::to_string(kFileBytes) + " bytes in all.");
+        throw Error(
+            ErrorKind::Input,
+            Message("messages", "\"%1\" has %2 bytes, %3, %4 bytes in all.").with(path, size, expected, kFileBytes));
     const std::string bytes = readFile(path, kFileBytes);
     std::array<std::int32_t, 3> dimensions{};
     std::memcpy(dimensions.data(), bytes.data(), sizeof(dimensions));
     if (dimensions != kDimensions)
-        throw Error(ErrorKind::Input, "\"" + path + "\" has the dimensions " + std::to_string(dimensions[0]) + ", " +
-                                          std::to_string(dimensions[1]) + ", " + std::to_string(dimensions[2]) + ", " +
-                                          expected + ".");
+        throw Error(ErrorKind::Input, Message("messages", "\"%1\" has the dimensions %2, %3, %4, %5.")
+                                          .with(path, dimensions[0], dimensions[1], dimensions[2], expected));
     std::vector<float> table(kernel::kMeasuredSize);
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const char* plane = bytes.data() + sizeof(dimensions) + channel * kEntries * sizeof(double);
@@ -112,9 +116,9 @@ std::shared_ptr<const MeasuredBrdf> loadMeasuredBrdf(const std::string& path) {
             std::memcpy(&value, plane + i * sizeof(double), sizeof(double));
             const auto f = static_cast<float>(value * kScale[channel]);
             if (!std::isfinite(f))
-                throw Error(ErrorKind::Input, "\"" + path + "\": value " + std::to_string(i) + " of the " +
-                                                  std::array{"red", "green", "blue"}[channel] +
-                                                  " plane is not a finite number; " + expected + ".");
+                throw Error(ErrorKind::Input,
+                            Message("messages", "\"%1\": value %2 of the %3 plane is not a finite number; %4.")
+                                .with(path, i, Message("messages", kPlanes.at(channel)), expected));
             table[kMeasuredValues + 3 * i + channel] = std::max(f, 0.0f);
         }
     }

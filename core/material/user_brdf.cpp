@@ -159,7 +159,7 @@ class Reader {
     }
 
   private:
-    [[noreturn]] void refuse(int line, const std::string& reason) const { refuseGlsl(brdf_.path, line, reason); }
+    [[noreturn]] void refuse(int line, const Message& reason) const { refuseGlsl(brdf_.path, line, reason); }
 
     static bool isFixed(std::string_view name) {
         return kTypes.contains(name) || kWords.contains(name) || kBuiltins.contains(name) || kOffered.contains(name);
@@ -170,7 +170,7 @@ class Reader {
         const std::vector<GlslToken>& tokens = text_.tokens;
         for (const GlslToken& t : tokens)
             if (t.isName() && t.text != "uniform" && kRefused.contains(t.text))
-                refuse(t.line, "\"" + t.text + "\" is not allowed here.");
+                refuse(t.line, Message("messages", "\"%1\" is not allowed here.").with(t.text));
         std::size_t i = 0;
         while (i < tokens.size()) {
             if (tokens[i].is(";")) {
@@ -186,7 +186,8 @@ class Reader {
     std::size_t readParam(std::size_t i) {
         const std::size_t end = readUserParam(text_, i, brdf_.path, brdf_);
         const GlslToken& name = text_.tokens[i + 2];
-        if (isFixed(name.text)) refuse(name.line, "\"" + name.text + "\" is a name of GLSL or of the program.");
+        if (isFixed(name.text))
+            refuse(name.line, Message("messages", "\"%1\" is a name of GLSL or of the program.").with(name.text));
         return end;
     }
 
@@ -197,18 +198,19 @@ class Reader {
         const std::size_t type = i + (constant ? 1 : 0);
         const std::size_t name = type + 1;
         if (name >= tokens.size() || !kTypes.contains(tokens[type].text) || !tokens[name].isName())
-            refuse(
-                tokens[i].line,
-                "Expected a function, a constant (const float a = 1.0;) or a parameter (uniform float a = 0.5;  // 0 "
-                "to 1), found \"" +
-                    tokens[i].text + "\".");
+            refuse(tokens[i].line, Message("messages",
+                                           "Expected a function, a constant (const float a = 1.0;) or a parameter "
+                                           "(uniform float a = 0.5;  // 0 to 1), found \"%1\".")
+                                       .with(tokens[i].text));
         if (isFixed(tokens[name].text))
-            refuse(tokens[name].line, "\"" + tokens[name].text + "\" is a name of GLSL or of the program.");
+            refuse(tokens[name].line,
+                   Message("messages", "\"%1\" is a name of GLSL or of the program.").with(tokens[name].text));
         const bool function = name + 1 < tokens.size() && tokens[name + 1].is("(");
-        if (!function && !constant) refuse(tokens[i].line, "Variables outside functions have to be const.");
+        if (!function && !constant)
+            refuse(tokens[i].line, Message("messages", "Variables outside functions have to be const."));
         std::size_t end = i;
         while (end < tokens.size() && !tokens[end].is(";") && !(function && tokens[end].is("{"))) ++end;
-        if (end == tokens.size()) refuse(tokens[i].line, "This declaration does not end.");
+        if (end == tokens.size()) refuse(tokens[i].line, Message("messages", "This declaration does not end."));
         if (tokens[end].is("{")) {
             checkSignature(type, name);
             end = readBody(tokens[name], end);
@@ -227,7 +229,7 @@ class Reader {
             };
             if (name + 7 >= tokens.size() || !tokens[type].is(s.result) || !is(name + 2, s.first) ||
                 !is(name + 5, s.second) || !tokens[name + 4].is(",") || !tokens[name + 7].is(")"))
-                refuse(tokens[name].line, "This function has to be " + written(s) + ".");
+                refuse(tokens[name].line, Message("messages", "This function has to be %1.").with(written(s)));
             brdf_.*s.line = tokens[name].line;
         }
     }
@@ -245,7 +247,8 @@ class Reader {
         for (;; ++i) {
             if (tokens[i].is("{")) ++depth;
             if (tokens[i].is("}") && --depth == 0) return i;
-            if (tokens[i].is("uniform")) refuse(tokens[i].line, "Parameters are declared outside functions.");
+            if (tokens[i].is("uniform"))
+                refuse(tokens[i].line, Message("messages", "Parameters are declared outside functions."));
             ++function.tokens;
             if (i + 1 < tokens.size() && tokens[i].isName() && tokens[i + 1].is("("))
                 function.calls.push_back(tokens[i].text);
@@ -260,26 +263,29 @@ class Reader {
             if (t.is(")") || t.is("]")) --depth;
             const GlslToken& next = text_.tokens[i + 1];
             if (depth == 0 && t.is(",") && isFixed(next.text))
-                refuse(next.line, "\"" + next.text + "\" is a name of GLSL or of the program.");
+                refuse(next.line, Message("messages", "\"%1\" is a name of GLSL or of the program.").with(next.text));
         }
     }
 
     void requireNeeded() const {
         for (const Signature& s : kNeeded)
-            if (!functions_.contains(s.name)) refuse(1, "The file lacks the function " + written(s) + ".");
+            if (!functions_.contains(s.name))
+                refuse(1, Message("messages", "The file lacks the function %1.").with(written(s)));
     }
 
     std::size_t expandedSize(const std::string& name, std::map<std::string, std::size_t>& known, Names& open) const {
         if (const auto found = known.find(name); found != known.end()) return found->second;
         const Function& f = functions_.at(name);
-        if (!open.insert(name).second) refuse(f.line, "\"" + name + "\" calls itself; GLSL has no recursion.");
+        if (!open.insert(name).second)
+            refuse(f.line, Message("messages", "\"%1\" calls itself; GLSL has no recursion.").with(name));
         std::size_t size = f.tokens;
         for (const std::string& callee : f.calls) {
             if (functions_.contains(callee)) size += expandedSize(callee, known, open);
             if (kOffered.contains(callee)) size += kOfferedSize;
             if (size > kMaxUserBrdfExpanded)
-                refuse(f.line, "\"" + name + "\" is too long with all that it calls: more than " +
-                                   std::to_string(kMaxUserBrdfExpanded) + " words and signs.");
+                refuse(f.line,
+                       Message("messages", "\"%1\" is too long with all that it calls: more than %2 words and signs.")
+                           .with(name, kMaxUserBrdfExpanded));
         }
         open.erase(name);
         return known[name] = size;
@@ -299,7 +305,8 @@ class Reader {
         for (std::size_t i = 0; i + 1 < kept_.size(); ++i) {
             const bool isFor = kept_[i].is("for");
             if (!isFor && !kept_[i].is("while")) continue;
-            if (!kept_[i + 1].is("(")) refuse(kept_[i].line, "\"" + kept_[i].text + "\" needs a condition in ( ).");
+            if (!kept_[i + 1].is("("))
+                refuse(kept_[i].line, Message("messages", "\"%1\" needs a condition in ( ).").with(kept_[i].text));
             const std::size_t end = closing(i + 1);
             std::size_t first = i + 2;
             std::size_t last = end;
@@ -307,7 +314,8 @@ class Reader {
                 std::vector<std::size_t> semicolons;
                 for (std::size_t j = first; j < end; ++j)
                     if (kept_[j].is(";")) semicolons.push_back(j);
-                if (semicolons.size() != 2) refuse(kept_[i].line, "\"for\" needs (start; condition; step).");
+                if (semicolons.size() != 2)
+                    refuse(kept_[i].line, Message("messages", "\"for\" needs (start; condition; step)."));
                 first = semicolons[0] + 1;
                 last = semicolons[1];
             }
@@ -328,9 +336,9 @@ class Reader {
             const int line = kept_[i].line;
             const std::size_t end = closing(i);
             if (i < 2 || !kept_[i - 1].isName() || kept_[i - 2].is("."))
-                refuse(line, "Only a name can be indexed here.");
+                refuse(line, Message("messages", "Only a name can be indexed here."));
             if (kTypes.contains(kept_[i - 1].text) && (end + 1 == kept_.size() || !kept_[end + 1].is("(")))
-                refuse(line, "An array is declared as float a[3], without arrays in it.");
+                refuse(line, Message("messages", "An array is declared as float a[3], without arrays in it."));
             if (end == i + 1) continue;
             if (end == i + 2 && kept_[i + 1].kind == GlslToken::Kind::Number) {
                 const std::string& text = kept_[i + 1].text;
@@ -339,14 +347,16 @@ class Reader {
                 const bool whole =
                     code == std::errc() && last == text.data() + text.size() && (text == "0" || text[0] != '0');
                 if (!whole || size > kMaxUserBrdfElements)
-                    refuse(line, "\"" + text + "\" is too large for an array, or no number; expected at most " +
-                                     std::to_string(kMaxUserBrdfElements) + ".");
-                if ((sum += size) > kMaxUserBrdfElementSum) refuse(line, "There are too many large arrays.");
+                    refuse(line,
+                           Message("messages", "\"%1\" is too large for an array, or no number; expected at most %2.")
+                               .with(text, kMaxUserBrdfElements));
+                if ((sum += size) > kMaxUserBrdfElementSum)
+                    refuse(line, Message("messages", "There are too many large arrays."));
                 continue;
             }
             const std::string name = renamed(kept_[i - 1].text);
             if (isFixed(kept_[i - 1].text) || kTypes.contains(kept_[i - 2].text))
-                refuse(line, "The size of an array has to be a number.");
+                refuse(line, Message("messages", "The size of an array has to be a number."));
             after_[i] += "user_index(";
             before_[end] += ", " + name + ".length()) ";
         }
@@ -364,10 +374,11 @@ class Reader {
             for (; line < t.line; ++line) brdf_.code += '\n';
             const bool member = i > 0 && kept_[i - 1].is(".");
             if (member && !isSwizzle(t.text) && !t.is("length"))
-                refuse(t.line, "There is no field \"" + t.text + "\".");
+                refuse(t.line, Message("messages", "There is no field \"%1\".").with(t.text));
             brdf_.code += before_[i] + (t.isName() && !member ? renamed(t.text) : t.text) + " " + after_[i];
             if (t.is("fresnel") && !member) {
-                if (!brdf_.usesSpecular) refuse(t.line, "fresnel(cosine) needs uniform vec3 specular;");
+                if (!brdf_.usesSpecular)
+                    refuse(t.line, Message("messages", "fresnel(cosine) needs uniform vec3 specular;"));
                 brdf_.usesFresnel = true;
             }
         }

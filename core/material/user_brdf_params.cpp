@@ -39,21 +39,23 @@ class ParamReader {
         end_ = begin_;
         while (end_ < text_.tokens.size() && !token(end_ - begin_).is(";")) ++end_;
         if (end_ == text_.tokens.size() || text_.tokens[end_].line != line_)
-            refuse(std::string("A parameter is declared in one line: ") + kForm);
+            refuse(Message("messages", "A parameter is declared in one line: %1").with(kForm));
         if (end_ - begin_ == 3 && token(1).is("vec3") && (token(2).is("albedo") || token(2).is("specular"))) {
             (token(2).is("albedo") ? result_.usesAlbedo : result_.usesSpecular) = true;
             return end_ + 1;
         }
         const std::size_t sign = end_ - begin_ == 6 && token(4).is("-") ? 1 : 0;
         if (end_ - begin_ != 5 + sign || !token(1).is("float") || !token(2).isName() || !token(3).is("="))
-            refuse(std::string("A parameter is declared as ") + kForm +
-                   " and a colour as uniform vec3 albedo; or uniform vec3 specular;");
+            refuse(
+                Message("messages",
+                        "A parameter is declared as %1 and a colour as uniform vec3 albedo; or uniform vec3 specular;")
+                    .with(kForm));
         addParam(token(2).text, (sign != 0 ? "-" : "") + token(4 + sign).text);
         return end_ + 1;
     }
 
   private:
-    [[noreturn]] void refuse(const std::string& reason) const { refuseGlsl(path_, line_, reason); }
+    [[noreturn]] void refuse(const Message& reason) const { refuseGlsl(path_, line_, reason); }
     [[nodiscard]] const GlslToken& token(std::size_t n) const { return text_.tokens[begin_ + n]; }
 
     [[nodiscard]] float number(std::string_view text) const {
@@ -62,7 +64,7 @@ class ParamReader {
         float value = 0;
         const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (code != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-            refuse("\"" + whole + "\" is no number.");
+            refuse(Message("messages", "\"%1\" is no number.").with(whole));
         return value;
     }
 
@@ -70,11 +72,11 @@ class ParamReader {
 
     void addParam(const std::string& name, const std::string& initial) {
         if (result_.params.size() == kBrdfValueCount)
-            refuse("A BRDF has at most " + std::to_string(kBrdfValueCount) + " parameters.");
+            refuse(Message("messages", "A BRDF has at most %1 parameters.").with(kBrdfValueCount));
         if (kTaken.contains(name))
-            refuse("A parameter cannot be called \"" + name + "\": edits have that key already.");
+            refuse(Message("messages", "A parameter cannot be called \"%1\": edits have that key already.").with(name));
         for (const ParamInfo& other : result_.params)
-            if (name == other.key) refuse("The parameter \"" + name + "\" is declared twice.");
+            if (name == other.key) refuse(Message("messages", "The parameter \"%1\" is declared twice.").with(name));
         ParamInfo param{.key = keep(name),
                         .label = nullptr,
                         .unit = "",
@@ -84,8 +86,9 @@ class ParamReader {
                         .logScale = false};
         readComment(name, param);
         if (!(param.min < param.max) || param.initial < param.min || param.initial > param.max)
-            refuse("The range of \"" + name + "\" has to rise and to contain its initial value.");
-        if (param.logScale && param.min <= 0) refuse("The range of \"" + name + "\" is log and has to be above 0.");
+            refuse(Message("messages", "The range of \"%1\" has to rise and to contain its initial value.").with(name));
+        if (param.logScale && param.min <= 0)
+            refuse(Message("messages", "The range of \"%1\" is log and has to be above 0.").with(name));
         result_.params.push_back(param);
     }
 
@@ -96,11 +99,12 @@ class ParamReader {
         std::string_view label = name;
         if (const std::size_t quote = text.find('"'); quote != std::string_view::npos) {
             const std::size_t end = text.find('"', quote + 1);
-            if (end == std::string_view::npos) refuse("The label of \"" + name + "\" lacks its closing quote.");
+            if (end == std::string_view::npos)
+                refuse(Message("messages", "The label of \"%1\" lacks its closing quote.").with(name));
             label = trimmed(text.substr(quote + 1, end - quote - 1));
             if (label.empty() || label.size() > kMaxLabel || !trimmed(text.substr(end + 1)).empty())
-                refuse("The label of \"" + name + "\" stands last and has 1 to " + std::to_string(kMaxLabel) +
-                       " characters.");
+                refuse(Message("messages", "The label of \"%1\" stands last and has 1 to %2 characters.")
+                           .with(name, kMaxLabel));
             text = text.substr(0, quote);
         }
         const std::size_t comma = text.find(',');
@@ -108,11 +112,12 @@ class ParamReader {
         const std::string_view least = word(range);
         const std::string_view to = word(range);
         const std::string_view greatest = word(range);
-        if (to != "to") refuse("The range of \"" + name + "\" is missing: " + kForm);
+        if (to != "to") refuse(Message("messages", "The range of \"%1\" is missing: %2").with(name, kForm));
         param.min = number(least);
         param.max = number(greatest);
         range = trimmed(range);
-        if (range.size() > 12) refuse("The unit of \"" + name + "\" has more than 12 characters.");
+        if (range.size() > 12)
+            refuse(Message("messages", "The unit of \"%1\" has more than 12 characters.").with(name));
         param.unit = keep(range);
         param.label = keep(label);
         if (comma == std::string_view::npos) return;
@@ -120,8 +125,9 @@ class ParamReader {
         if (rest.ends_with(',')) rest = trimmed(rest.substr(0, rest.size() - 1));
         param.logScale = rest == "log";
         if (!rest.empty() && !param.logScale)
-            refuse("\"" + std::string(rest) + "\" is not understood after the range of \"" + name +
-                   "\", expected log or a label in quotes.");
+            refuse(Message("messages",
+                           "\"%1\" is not understood after the range of \"%2\", expected log or a label in quotes.")
+                       .with(std::string(rest), name));
     }
 
     const GlslText& text_;

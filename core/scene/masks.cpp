@@ -16,15 +16,18 @@ void requireMasksFit(const Scene& scene, ErrorKind kind) {
             if (drive.mask == nullptr) continue;
             const LabelImage& labels = scene.photo->labels;
             if (drive.mask->width() == labels.width() && drive.mask->height() == labels.height()) continue;
-            throw Error(kind, "The mask \"" + drive.mask->path() + "\" of \"" + drive.parameter + "\" in segment \"" +
-                                  segment.name + "\" is " + size(drive.mask->width(), drive.mask->height()) +
-                                  ", expected the photograph's size " + size(labels.width(), labels.height()) + ".");
+            throw Error(
+                kind,
+                Message("messages",
+                        "The mask \"%1\" of \"%2\" in segment \"%3\" is %4, expected the photograph's size %5.")
+                    .with(drive.mask->path(), drive.parameter, segment.name,
+                          size(drive.mask->width(), drive.mask->height()), size(labels.width(), labels.height())));
         }
     }
 }
 
-std::vector<std::string> maskNotes(const Scene& scene) {
-    std::vector<std::string> notes;
+Notes maskNotes(const Scene& scene) {
+    Notes notes;
     for (const Segment& segment : scene.segments) {
         if (!segment.edit) continue;
         for (const Drive& drive : segment.edit->drives) {
@@ -39,9 +42,11 @@ std::vector<std::string> maskNotes(const Scene& scene) {
                     max = std::max(max, drive.mask->value(x, y));
                 }
             if (min != max) continue;
-            notes.push_back("The mask \"" + drive.mask->path() + "\" is " + std::to_string(min).substr(0, 5) +
-                            " everywhere in the segment \"" + segment.name + "\", so \"" + drive.parameter +
-                            "\" does not vary there. Is it the mask of another segment?");
+            notes.push_back(
+                Message("messages",
+                        "The mask \"%1\" is %2 everywhere in the segment \"%3\", so \"%4\" does not vary there. Is it "
+                        "the mask of another segment?")
+                    .with(drive.mask->path(), std::to_string(min).substr(0, 5), segment.name, drive.parameter));
         }
     }
     return notes;

@@ -67,8 +67,8 @@ struct GpuAnalysisKernels::Impl {
                 return onDevice();
             } catch (const gpu::Error& error) {
                 failed = error.kind() != gpu::ErrorKind::OutOfMemory;
-                std::string note =
-                    std::string("The ") + what + " was done on the CPU, because the device fails: " + error.what();
+                core::Message note = core::Message("messages", "%1 was done on the CPU, because the device fails: %2")
+                                         .with(core::Message("messages", what), error.what());
                 if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
             }
         }
@@ -86,7 +86,7 @@ struct GpuAnalysisKernels::Impl {
     Lazy<FillShepardPass> shepard;
     Lazy<Marching> marching;
     bool failed = false;  ///< the device is no longer used
-    std::vector<std::string> notes;
+    core::Notes notes;
 };
 
 class GpuAnalysisKernels::Impl::Filter : public DepthFilter {
@@ -102,7 +102,7 @@ class GpuAnalysisKernels::Impl::Filter : public DepthFilter {
             return kernel.run(*images_, pass, inverseDepth, impl_->slices, progress);
         };
         const auto onCpu = [&] { return core::analysis::runFilterPass(pass, inverseDepth, color_, labels_, progress); };
-        return impl_->attempt("depth filter", onDevice, onCpu);
+        return impl_->attempt(MESSAGE_TEXT("messages", "The depth filter"), onDevice, onCpu);
     }
 
   private:
@@ -118,7 +118,7 @@ class GpuAnalysisKernels::Impl::Marcher : public RayMarcher {
     ~Marcher() override {
         if (uploaded_ && !impl_->failed)
             impl_->attempt(
-                "ray march", [&] { release(); }, [] {});
+                MESSAGE_TEXT("messages", "The ray march"), [&] { release(); }, [] {});
     }
     Marcher(const Marcher&) = delete;
     Marcher& operator=(const Marcher&) = delete;
@@ -149,7 +149,7 @@ class GpuAnalysisKernels::Impl::Marcher : public RayMarcher {
             if (!cpu_) cpu_ = core::cpuAnalysisKernels().rayMarcher(layers_);
             return cpu_->march(rays, without, progress);
         };
-        return impl_->attempt("ray march", onDevice, onCpu);
+        return impl_->attempt(MESSAGE_TEXT("messages", "The ray march"), onDevice, onCpu);
     }
 
   private:
@@ -173,7 +173,8 @@ std::unique_ptr<core::AnalysisKernels::DepthFilter> GpuAnalysisKernels::depthFil
 void GpuAnalysisKernels::computeSurface(const core::analysis::SurfaceInput& input, core::Surface& surface,
                                         const core::Progress& progress) {
     impl_->attempt(
-        "fit of the surface", [&] { impl_->surface.get().run(input, surface, impl_->slices, progress); },
+        MESSAGE_TEXT("messages", "The fit of the surface"),
+        [&] { impl_->surface.get().run(input, surface, impl_->slices, progress); },
         [&] { core::analysis::computeSurface(input, surface, progress); });
 }
 
@@ -184,18 +185,20 @@ std::unique_ptr<core::AnalysisKernels::RayMarcher> GpuAnalysisKernels::rayMarche
 void GpuAnalysisKernels::relaxMembrane(const core::ImageF& coverage, std::span<const core::analysis::MembraneRow> rows,
                                        core::ImageRgb& values, const core::Progress& progress) {
     impl_->attempt(
-        "filling of directions", [&] { impl_->membrane.get().run(coverage, rows, values, impl_->slices, progress); },
+        MESSAGE_TEXT("messages", "The filling of directions"),
+        [&] { impl_->membrane.get().run(coverage, rows, values, impl_->slices, progress); },
         [&] { core::analysis::relaxMembrane(coverage, rows, values, progress); });
 }
 
 void GpuAnalysisKernels::fillShepard(const core::analysis::DirectionTree& tree, core::DirectionalMap& map,
                                      const core::Progress& progress) {
     impl_->attempt(
-        "filling of directions", [&] { impl_->shepard.get().run(tree, map, impl_->slices, progress); },
+        MESSAGE_TEXT("messages", "The filling of directions"),
+        [&] { impl_->shepard.get().run(tree, map, impl_->slices, progress); },
         [&] { core::analysis::fillShepard(tree, map, progress); });
 }
 
-std::vector<std::string> GpuAnalysisKernels::takeNotes() { return std::exchange(impl_->notes, {}); }
+core::Notes GpuAnalysisKernels::takeNotes() { return std::exchange(impl_->notes, {}); }
 
 AnalysisTwin parseAnalysisTwin(const std::string& text, const std::string& origin) {
     if (text == "auto") return AnalysisTwin::Automatic;

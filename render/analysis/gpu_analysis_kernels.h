@@ -31,7 +31,7 @@ class GpuAnalysisKernels : public core::AnalysisKernels {
                        core::ImageRgb& values, const core::Progress& progress) override;
     void fillShepard(const core::analysis::DirectionTree& tree, core::DirectionalMap& map,
                      const core::Progress& progress) override;
-    [[nodiscard]] std::vector<std::string> takeNotes() override;
+    [[nodiscard]] core::Notes takeNotes() override;
 
   private:
     struct Impl;

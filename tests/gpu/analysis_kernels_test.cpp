@@ -418,7 +418,7 @@ TEST(AnalysisKernels, GoOnOnTheCpuWhenTheDeviceIsGone) {
         const auto actual = core::AnalysisPipeline().run(scene, progress, kernels);
         const auto notes = kernels.takeNotes();
         ASSERT_EQ(notes.size(), 1u);
-        EXPECT_NE(notes[0].find("on the CPU"), std::string::npos) << notes[0];
+        EXPECT_NE(notes[0].english().find("on the CPU"), std::string::npos) << notes[0].english();
         EXPECT_TRUE(kernels.takeNotes().empty());
         if (lostIn == core::Task::ComputeNormals) {
             EXPECT_EQ(actual->environment->radiance, expected->environment->radiance);

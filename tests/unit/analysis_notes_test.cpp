@@ -15,7 +15,7 @@ using testing::IsEmpty;
 
 std::vector<std::string> notesOf(const core::Scene& scene) {
     core::AnalysisPipeline pipeline;
-    return core::analysisNotes(scene, *pipeline.run(scene));
+    return core::english(core::analysisNotes(scene, *pipeline.run(scene)));
 }
 
 TEST(AnalysisNotes, NothingToSayAboutAGoodScene) {

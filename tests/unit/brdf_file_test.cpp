@@ -111,10 +111,10 @@ TEST_F(MerlFile, IsStoredRelativeToTheProjectWhichOpensWithoutIt) {
     EXPECT_TRUE(usable(*loadProject(project).segments[0].edit));
 
     std::filesystem::rename(path_, folder_ / "b.binary");
-    std::vector<std::string> notes;
+    core::Notes notes;
     const Scene without = loadProject(project, &notes);
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_THAT(notes[0], testing::AllOf(testing::HasSubstr("segments[0].edit.brdf"), testing::HasSubstr("a.binary"),
+    EXPECT_THAT(notes[0].english(), testing::AllOf(testing::HasSubstr("segments[0].edit.brdf"), testing::HasSubstr("a.binary"),
                                          testing::HasSubstr("does not exist")));
     ASSERT_TRUE(without.segments[0].edit.has_value());
     EXPECT_FALSE(usable(*without.segments[0].edit));

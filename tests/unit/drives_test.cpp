@@ -235,9 +235,9 @@ TEST_F(DriveProjectTest, MasksOfAnotherSizeAreRefusedAndOnesOfAnotherSegmentNote
 
     test::writePnm8(folder / "elsewhere.pgm", 4, 2, 1, {0, 0, 0, 255, 0, 0, 0, 255});
     scene.segments[0].edit->drives[0].mask = core::loadMask(folder / "elsewhere.pgm");
-    const std::vector<std::string> notes = core::maskNotes(scene);
+    const core::Notes notes = core::maskNotes(scene);
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_NE(notes[0].find("elsewhere.pgm"), std::string::npos);
+    EXPECT_NE(notes[0].english().find("elsewhere.pgm"), std::string::npos);
     scene.segments[1].edit = scene.segments[0].edit;
     scene.segments[0].edit.reset();
     EXPECT_EQ(core::maskNotes(scene).size(), 1u) << "it is 1 in all of the other segment";

@@ -187,10 +187,10 @@ TEST_F(ImportHostileTest, PictureIndexThatPointsElsewhere) {
     for (const std::vector<double>& wrong : {std::vector<double>{0, 0, 0, 0, 0, 0, 0, 0, 1}, {1e300}, {}}) {
         test::writeBytes(folder / "k.jpg", withRange(test::appleXmp("0.5", "2.5", 32, 16, wrong)));
         options.color = folder / "k.jpg";
-        std::vector<std::string> notes;
+        core::Notes notes;
         EXPECT_GT(core::createScene(options, &notes).photo->camera.fx, 1);
         if (wrong.size() == 9) {
-            EXPECT_THAT(notes, testing::Contains(testing::HasSubstr("fit no camera")));
+            EXPECT_THAT(core::english(notes), testing::Contains(testing::HasSubstr("fit no camera")));
         }
     }
 }

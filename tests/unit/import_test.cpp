@@ -424,14 +424,14 @@ TEST_F(ImportTest, TheUserKnowsBetterThanTheFile) {
     test::writeBytes(folder / "m.jpg", test::mpfFile(grey(32, 16, 128), test::exifSegment(1), second));
     core::CreateOptions options;
     options.color = folder / "m.jpg";
-    std::vector<std::string> notes;
+    core::Notes notes;
     const core::Scene scene = core::createScene(options, &notes);
     EXPECT_EQ(scene.photo->camera, (core::Camera{32, 16, 25, 25.5f, 10, 7.5f}));
     EXPECT_EQ(scene.photo->source.depthKind, DepthKind::Disparity);
     const double metres = 1 / (0.5 + 200 / 255.0 * 2);
     EXPECT_NEAR(scene.photo->depth(9, 9), metres, 0.01);
-    EXPECT_THAT(notes, testing::Contains(testing::HasSubstr("intrinsics are taken from")));
-    EXPECT_THAT(notes, testing::Contains(testing::HasSubstr("relative")));
+    EXPECT_THAT(core::english(notes), testing::Contains(testing::HasSubstr("intrinsics are taken from")));
+    EXPECT_THAT(core::english(notes), testing::Contains(testing::HasSubstr("relative")));
 
     core::saveProject(scene, folder / "p.patina");
     const core::Scene again = core::loadProject(folder / "p.patina");

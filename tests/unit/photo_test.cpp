@@ -32,20 +32,20 @@ struct PhotoTest : testing::Test {
         return core::createScene(options, &notes);
     }
     test::TempFolder folder;
-    std::vector<std::string> notes;
+    core::Notes notes;
 };
 
 TEST_F(PhotoTest, DepthInTheWrongUnitIsSaid) {
     (void)create("color.pfm", "depth.pfm", 0.001);  // metres read as millimetres
-    EXPECT_THAT(notes, Contains(HasSubstr("unit is probably wrong")));
-    EXPECT_THAT(notes, Contains(HasSubstr("depth.pfm")));
+    EXPECT_THAT(core::english(notes), Contains(HasSubstr("unit is probably wrong")));
+    EXPECT_THAT(core::english(notes), Contains(HasSubstr("depth.pfm")));
     test::writePfm(folder / "millimetres.pfm", 4, 2, 1, {3000, 3100, 3200, 3300, 3400, 3500, 3600, 3700});
     (void)create("color.pfm", "millimetres.pfm", 1);  // millimetres read as metres
-    EXPECT_THAT(notes, Contains(HasSubstr("unit is probably wrong")));
+    EXPECT_THAT(core::english(notes), Contains(HasSubstr("unit is probably wrong")));
     (void)create("color.pfm", "millimetres.pfm", 0.001);
-    EXPECT_THAT(notes, Not(Contains(HasSubstr("unit"))));
+    EXPECT_THAT(core::english(notes), Not(Contains(HasSubstr("unit"))));
     (void)create("color.pfm", "depth.pfm", 1);
-    EXPECT_THAT(notes, Not(Contains(HasSubstr("unit"))));
+    EXPECT_THAT(core::english(notes), Not(Contains(HasSubstr("unit"))));
 }
 
 TEST_F(PhotoTest, ClipsWhereItsLargestCodeIs) {
@@ -62,7 +62,7 @@ TEST_F(PhotoTest, KnowsHowFarItsDepthWasEnlarged) {
     const core::Scene enlarged = create("color.pfm", "half.pfm", 1);
     EXPECT_EQ(enlarged.photo->depthStep, 2);
     EXPECT_TRUE(enlarged.photo->depth.sameSize(enlarged.photo->color));
-    EXPECT_THAT(notes, Contains(HasSubstr("enlarged")));
+    EXPECT_THAT(core::english(notes), Contains(HasSubstr("enlarged")));
 }
 
 TEST_F(PhotoTest, SegmentsWithoutAnyDepthAreAnalysedAsTheDistance) {

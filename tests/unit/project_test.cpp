@@ -367,12 +367,12 @@ TEST_F(ProjectTest, SmallerDepthIsEnlargedWithoutBlending) {
     test::writePfm(folder / "small.pfm", 2, 1, 1, {1, 5});
     core::CreateOptions create = options();
     create.depth = folder / "small.pfm";
-    std::vector<std::string> notes;
+    core::Notes notes;
     const core::ImageF depth = core::createScene(create, &notes).photo->depth;
     for (int y = 0; y < 2; ++y)
         for (int x = 0; x < 4; ++x) EXPECT_EQ(depth(x, y), x < 2 ? 1 : 5);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_THAT(notes[0], testing::HasSubstr("small.pfm"));
+    EXPECT_THAT(notes[0].english(), testing::HasSubstr("small.pfm"));
 }
 
 TEST_F(ProjectTest, OtherShapesAndLargerMapsAreRefused) {
@@ -428,14 +428,14 @@ TEST_F(ProjectTest, IntegerUnits) {
 TEST_F(ProjectTest, FocalLengthFromOptionsExifOrAssumed) {
     core::CreateOptions create = options();
     create.intrinsics.reset();
-    std::vector<std::string> notes;
+    core::Notes notes;
     const auto camera = [&] {
         notes.clear();
         return core::createScene(create, &notes).photo->camera;
     };
     EXPECT_NEAR(static_cast<double>(camera().fx), 2 / std::tan(std::numbers::pi / 6), 1e-5);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_THAT(notes[0], testing::HasSubstr("60 degrees"));
+    EXPECT_THAT(notes[0].english(), testing::HasSubstr("60 degrees"));
     create.hfov = std::numbers::pi_v<float> / 2;
     EXPECT_NEAR(static_cast<double>(camera().fx), 2, 1e-5);
     EXPECT_TRUE(notes.empty());
@@ -451,7 +451,7 @@ TEST_F(ProjectTest, FocalLengthFromOptionsExifOrAssumed) {
     create.segments.clear();
     EXPECT_NEAR(static_cast<double>(camera().fx), 48, 1e-3) << "36 mm on a frame of 3:2 is as wide as far";
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_THAT(notes[0], testing::HasSubstr("36 mm"));
+    EXPECT_THAT(notes[0].english(), testing::HasSubstr("36 mm"));
 
     create.hfov = 4.0f;
     test::expectError(ErrorKind::Usage, {"field of view"}, [&] { (void)camera(); });

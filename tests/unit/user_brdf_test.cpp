@@ -236,10 +236,10 @@ TEST_F(UserBrdfFile, ThatIsMissingKeepsTheEditsNumbersAndDrives) {
     EXPECT_THAT(saved, HasSubstr("\"file:../glossy.brdf.glsl\""));
 
     std::filesystem::rename(path_, folder_ / "elsewhere");
-    std::vector<std::string> notes;
+    core::Notes notes;
     Scene without = loadProject(project, &notes);
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_THAT(notes[0], testing::AllOf(HasSubstr("glossy.brdf.glsl"), HasSubstr("does not exist")));
+    EXPECT_THAT(notes[0].english(), testing::AllOf(HasSubstr("glossy.brdf.glsl"), HasSubstr("does not exist")));
     EXPECT_FALSE(usable(*without.segments[0].edit));
     without.segments[0].name = "renamed";
     saveProject(without, project);

@@ -13,19 +13,20 @@
 #include "ui/canvas/canvas_renderer.h"
 #include "ui/canvas/canvas_window.h"
 #include "ui/vulkan_support.h"
+#include "ui/words.h"
 
 namespace ui {
 
 namespace {
 
-/// Time the sentence about a lost device stays readable [ms].
+/// Time for reading the sentence about a lost device [ms].
 constexpr int kRestartDelay = 1000;
 constexpr int kMaxRestarts = 3;
 
 }  // namespace
 
 std::shared_ptr<const CanvasPicture> makeCanvasPicture(const LayerPicture& picture) {
-    constexpr float kLargestHalf = 65504;
+    constexpr float kMaxHalf = 65504;
     auto result = std::make_shared<CanvasPicture>();
     result->width = picture.pixels.width();
     result->height = picture.pixels.height();
@@ -38,7 +39,7 @@ std::shared_ptr<const CanvasPicture> makeCanvasPicture(const LayerPicture& pictu
             const core::Vector3f& c = picture.pixels(x, y);
             for (std::size_t i = 0; i < 3; ++i) {
                 row[static_cast<std::size_t>(x) * 4 + i] =
-                    std::clamp(c[static_cast<Eigen::Index>(i)], -kLargestHalf, kLargestHalf);
+                    std::clamp(c[static_cast<Eigen::Index>(i)], -kMaxHalf, kMaxHalf);
             }
         }
         auto* target = reinterpret_cast<qfloat16*>(result->rgba.data() + static_cast<std::size_t>(y) * row.size());
@@ -73,7 +74,7 @@ Canvas::Canvas(QVulkanInstance* instance, const QString& problem, const QString&
     } catch (const gpu::Error& error) {
         delete window_;
         window_ = nullptr;
-        showMessage(QString::fromUtf8(error.what()));
+        showMessage(translated(error));
         return;
     }
     container_ = QWidget::createWindowContainer(window_, this);
@@ -93,7 +94,7 @@ Canvas::Canvas(QVulkanInstance* instance, const QString& problem, const QString&
     connect(window_, &CanvasWindow::strokeMoved, this, &Canvas::strokeMoved);
     connect(window_, &CanvasWindow::strokeEnded, this, &Canvas::strokeEnded);
     connect(window_, &CanvasWindow::pressed, this, [this] { setFocus(Qt::MouseFocusReason); });
-    // Not from inside a frame: the window must not be hidden while it draws.
+    // Queued, because the window must not be hidden while it draws.
     connect(
         window_, &CanvasWindow::failed, this,
         [this](const QString& sentence) {
@@ -116,8 +117,8 @@ void Canvas::showMessage(const QString& text) {
 void Canvas::restart() {
     if (++restarts_ > kMaxRestarts) {
         showMessage(
-            tr("The graphics device is lost whenever this picture is drawn. Your edits are not affected: undo "
-               "the last one, or save and start Patina again with another device."));
+            tr("The graphics device is lost whenever this picture is drawn. Your edits are safe: undo the last one, or "
+               "save and restart Patina with another device."));
         return;
     }
     window_->renderer()->retry();
@@ -171,7 +172,7 @@ void Canvas::setScene(const core::Scene& scene, std::shared_ptr<const core::Anal
     window_->state().analysis = std::move(analysis);
     ++window_->state().sceneNumber;
     if (window_->renderer() != nullptr) window_->renderer()->sceneChanged();
-    // Another edit may be one that the device survives.
+    // The device may survive the next edit.
     if (restarts_ > kMaxRestarts) QTimer::singleShot(kRestartDelay, this, &Canvas::restart);
     restarts_ = 0;
 }

@@ -4,13 +4,9 @@
 #include <QWidget>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
-#include "core/analysis/analysis.h"
-#include "core/scene/mask.h"
-#include "core/scene/scene.h"
 #include "render/renderer.h"
-#include "ui/canvas/view_layer.h"
+#include "ui/canvas/canvas_state.h"
 
 class QLabel;
 class QStackedLayout;
@@ -20,27 +16,9 @@ namespace ui {
 
 class CanvasWindow;
 
-/// A picture as the canvas uploads it: half floats, four a pixel.
-struct CanvasPicture {
-    int width = 0;
-    int height = 0;
-    std::vector<std::uint16_t> rgba;
-    bool displayEncoded = false;
-};
-[[nodiscard]] std::shared_ptr<const CanvasPicture> makeCanvasPicture(const LayerPicture& picture);
-
-/// What is under the pointer.
-struct CursorValue {
-    int x = 0;  ///< picture pixel
-    int y = 0;
-    bool inside = false;
-    bool hasResult = false;  ///< `result` was read back from the device
-    core::Vector3f result{0, 0, 0};
-};
-
-/// The picture: a QVulkanWindow in a widget, or a sentence where there is no Vulkan. It owns the progressive renderer
-/// and gives it a slice of every frame until it is finished; then nothing runs. Everything set here survives the loss
-/// of the device and of the window's surface.
+/// The picture: a QVulkanWindow in a widget, or a sentence if there is no Vulkan. It owns the progressive renderer and
+/// runs slices of its work until it is finished. Everything set here survives the loss of the device and of the
+/// window's surface.
 class Canvas : public QWidget {
     Q_OBJECT
   public:
@@ -53,14 +31,14 @@ class Canvas : public QWidget {
     /// Name of the device in use, "" before the first frame.
     [[nodiscard]] QString deviceName() const;
 
-    /// Another photograph; result and picture are forgotten. nullptr = nothing open.
+    /// Another photograph; drops result and pictures. nullptr = no project open.
     void setPhoto(std::shared_ptr<const core::Photo> photo);
     /// The photograph as picture, for comparison and until there is a result.
     void setOriginal(std::shared_ptr<const CanvasPicture> picture);
     /// Picture of a layer other than result and original.
     void setLayerPicture(std::shared_ptr<const CanvasPicture> picture);
     void setLayer(ViewLayer layer);
-    /// What the renderer works on from the next frame; the analysis belongs to the scene.
+    /// The scene to render from the next frame on, and its analysis.
     void setScene(const core::Scene& scene, std::shared_ptr<const core::Analysis> analysis);
     /// No more slices until resumed; the picture stays.
     void setSuspended(bool suspended);
@@ -81,13 +59,13 @@ class Canvas : public QWidget {
     void zoomToFit();
     void setZoom(double zoom);
     [[nodiscard]] double zoom() const;
-    /// Where a picture pixel's centre is in this widget, logical pixels.
+    /// Centre of a picture pixel in this widget [logical pixels].
     [[nodiscard]] QPointF widgetPosition(int x, int y) const;
 
     [[nodiscard]] render::Renderer::Progress progress() const;
-    /// Whether the renderer has begun with the latest scene; `progress` speaks of that scene then.
+    /// Whether the renderer has begun with the latest scene; `progress` then refers to that scene.
     [[nodiscard]] bool upToDate() const;
-    /// How many scenes were set, and which of them the last frame showed first results of.
+    /// Number of scenes set so far, and the number of the scene whose first results the last frame showed.
     [[nodiscard]] std::uint64_t sceneNumber() const;
     [[nodiscard]] std::uint64_t shownScene() const;
 
@@ -105,12 +83,12 @@ class Canvas : public QWidget {
     void strokeBegan(const QPointF& position, bool inverted);
     void strokeMoved(const QPointF& position);
     void strokeEnded();
-    /// The device failed; the canvas shows the sentence from now on, or again a picture after the next deviceReady.
+    /// The device failed; the canvas shows the sentence until the next deviceReady.
     void failed(const QString& sentence);
 
   private:
     void showMessage(const QString& text);
-    /// Shows the window again, which makes it start a device; gives up when that was in vain too often.
+    /// Shows the window again, which makes it start a device; gives up after kMaxRestarts attempts.
     void restart();
 
     CanvasWindow* window_ = nullptr;  ///< owned by its container

@@ -14,8 +14,18 @@ namespace ui {
 
 namespace {
 
-/// Largest box filter when zoomed out, taps along one side.
+/// Taps along one side of the largest box filter, for zooming out.
 constexpr int kMaxTaps = 8;
+
+/// Reach of the outline, and of any filter below 200 % [view pixels].
+constexpr double kReach = 3;
+
+QRectF toView(const ViewTransform& view, const QRect& r) {
+    return {view.toView(r.topLeft()), view.toView(r.topLeft() + QPoint(r.width(), r.height()))};
+}
+
+/// View pixels that a part of the view influences.
+QRect reachOf(const QRectF& part) { return part.adjusted(-kReach, -kReach, kReach, kReach).toAlignedRect(); }
 
 constexpr gpu::TextureFormat kScreenFormat = gpu::TextureFormat::RGBA8Unorm;
 
@@ -52,83 +62,79 @@ CanvasPainter::CanvasPainter(gpu::Device device) : device_(std::move(device)) {
 
 void CanvasPainter::record(const gpu::CommandEncoder& encoder, const CanvasState& state, QSize size, double ratio,
                            const gpu::Texture& result, const std::optional<QRect>& changed) {
-    bool all = !changed;
-    if (!screen_ || static_cast<int>(screen_.width()) != size.width() ||
-        static_cast<int>(screen_.height()) != size.height()) {
-        screen_ = device_.createTexture(
-            {.label = "canvas screen",
-             .size = {static_cast<std::uint32_t>(size.width()), static_cast<std::uint32_t>(size.height()), 1},
-             .format = kScreenFormat,
-             .usage = gpu::TextureUsage::RenderAttachment | gpu::TextureUsage::TextureBinding});
-        all = true;
-    }
+    const bool resized = resizeScreen(size);
     updateLabels(state);
     updateMask(state);
     updateRuler(state, ratio);
-    gpu::Texture picture = black_;
-    unsigned flags = 0;
-    bool shown = false;
-    const bool showOriginal =
-        state.comparing || state.layer == ViewLayer::Original || (state.layer == ViewLayer::Result && !result);
-    if (state.photo != nullptr && showOriginal) {
-        picture = upload(original_, state.original);
-        shown = state.original != nullptr;
-    } else if (state.photo != nullptr && state.layer == ViewLayer::Result) {
-        picture = result;
-        shown = true;
-    } else if (state.photo != nullptr) {
-        const auto& source = state.layerPicture != nullptr ? state.layerPicture : state.original;
-        picture = upload(layer_, source);
-        shown = source != nullptr;
-        if (shown && source->displayEncoded) flags |= CANVAS_PICTURE_ENCODED;
-    }
-    const gpu::Texture& mask = mask_ ? mask_ : noMask_;
-    if (mask_ && state.brushRadius > 0) flags |= CANVAS_OVERLAY;
-    const gpu::Texture& ruler = ruler_ ? ruler_ : black_;
-    if (!bindGroup_ || !(picture == boundPicture_) || !(labels_ == boundLabels_) || !(mask == boundMask_) ||
-        !(ruler == boundRuler_)) {
-        bindGroup_ =
-            device_.createBindGroup({.label = "canvas",
-                                     .layout = groupLayout_,
-                                     .entries = {{.binding = CANVAS_PICTURE, .textureView = picture.createView()},
-                                                 {.binding = CANVAS_LABELS, .textureView = labels_.createView()},
-                                                 {.binding = CANVAS_MASK, .textureView = mask.createView()},
-                                                 {.binding = CANVAS_RULER_IMAGE, .textureView = ruler.createView()}}});
-        all = true;
-        boundMask_ = mask;
-        boundRuler_ = ruler;
-        boundPicture_ = picture;
-        boundLabels_ = labels_;
-    }
-    const double zoom = state.view.zoom();
-    const auto toView = [&](const QRect& r) {
-        return QRectF(state.view.toView(r.topLeft()), state.view.toView(r.topLeft() + QPoint(r.width(), r.height())));
-    };
+    const Source source = sourceOf(state, result);
+    const bool rebound = bind(source.texture);
+    const bool all = !changed || resized || rebound;
     drawn_ = {QPoint(0, 0), size};
-    if (!all) {
-        constexpr double kReach = 3;  // of any filter below 200 % [view pixels]
-        drawn_ &= toView(*changed).adjusted(-kReach, -kReach, kReach, kReach).toAlignedRect();
-    }
+    if (!all) drawn_ &= reachOf(toView(state.view, *changed));
     const double surround = encodeSrgb(kernel::kCanvasSurround);
     const gpu::RenderPassEncoder pass =
         encoder.beginRenderPass({.label = "canvas",
                                  .colorAttachments = {{.view = screen_.createView(),
                                                        .loadOp = all ? gpu::LoadOp::Clear : gpu::LoadOp::Load,
                                                        .clearValue = {surround, surround, surround, 1.0}}}});
-    if (shown) {
-        const int filter = zoom >= 2 ? 0 : zoom >= 1 ? 1 : std::min(static_cast<int>(std::ceil(1 / zoom)), kMaxTaps);
-        const QRect whole(0, 0, state.photo->color.width(), state.photo->color.height());
-        QRect outlined;
-        if (state.outlineShown && !state.selectedBounds.isEmpty()) {
-            constexpr double kReach = 3;
-            outlined = toView(state.selectedBounds).adjusted(-kReach, -kReach, kReach, kReach).toAlignedRect();
-        }
-        for (const QRect& part : QRegion(toView(whole).toAlignedRect()).subtracted(outlined))
-            drawPart(pass, state, part, filter, flags);
-        if (!outlined.isEmpty()) drawPart(pass, state, outlined, filter, flags |= CANVAS_OUTLINE);
-        drawPart(pass, state, rulerPlace(state), filter, flags | CANVAS_RULER);
-    }
+    if (source.shown) drawPicture(pass, state, source.flags);
     pass.end();
+}
+
+bool CanvasPainter::resizeScreen(QSize size) {
+    if (screen_ && static_cast<int>(screen_.width()) == size.width() &&
+        static_cast<int>(screen_.height()) == size.height())
+        return false;
+    screen_ = device_.createTexture(
+        {.label = "canvas screen",
+         .size = {static_cast<std::uint32_t>(size.width()), static_cast<std::uint32_t>(size.height()), 1},
+         .format = kScreenFormat,
+         .usage = gpu::TextureUsage::RenderAttachment | gpu::TextureUsage::TextureBinding});
+    return true;
+}
+
+CanvasPainter::Source CanvasPainter::sourceOf(const CanvasState& state, const gpu::Texture& result) {
+    const unsigned overlay = mask_ && state.brushRadius > 0 ? CANVAS_OVERLAY : 0U;
+    if (state.photo == nullptr) return {black_, false, overlay};
+    const bool asResult = state.layer == ViewLayer::Result;
+    if (state.comparing || state.layer == ViewLayer::Original || (asResult && !result))
+        return {upload(original_, state.original), state.original != nullptr, overlay};
+    if (asResult) return {result, true, overlay};
+    const auto& picture = state.layerPicture != nullptr ? state.layerPicture : state.original;
+    const bool encoded = picture != nullptr && picture->displayEncoded;
+    return {upload(layer_, picture), picture != nullptr, overlay | (encoded ? CANVAS_PICTURE_ENCODED : 0U)};
+}
+
+bool CanvasPainter::bind(const gpu::Texture& picture) {
+    const gpu::Texture& mask = mask_ ? mask_ : noMask_;
+    const gpu::Texture& ruler = ruler_ ? ruler_ : black_;
+    if (bindGroup_ && picture == boundPicture_ && labels_ == boundLabels_ && mask == boundMask_ && ruler == boundRuler_)
+        return false;
+    bindGroup_ =
+        device_.createBindGroup({.label = "canvas",
+                                 .layout = groupLayout_,
+                                 .entries = {{.binding = CANVAS_PICTURE, .textureView = picture.createView()},
+                                             {.binding = CANVAS_LABELS, .textureView = labels_.createView()},
+                                             {.binding = CANVAS_MASK, .textureView = mask.createView()},
+                                             {.binding = CANVAS_RULER_IMAGE, .textureView = ruler.createView()}}});
+    boundMask_ = mask;
+    boundRuler_ = ruler;
+    boundPicture_ = picture;
+    boundLabels_ = labels_;
+    return true;
+}
+
+void CanvasPainter::drawPicture(const gpu::RenderPassEncoder& pass, const CanvasState& state, unsigned flags) {
+    const double zoom = state.view.zoom();
+    const int filter = zoom >= 2 ? 0 : zoom >= 1 ? 1 : std::min(static_cast<int>(std::ceil(1 / zoom)), kMaxTaps);
+    const QRect whole(0, 0, state.photo->color.width(), state.photo->color.height());
+    QRect outlined;
+    if (state.outlineShown && !state.selectedBounds.isEmpty())
+        outlined = reachOf(toView(state.view, state.selectedBounds));
+    for (const QRect& part : QRegion(toView(state.view, whole).toAlignedRect()).subtracted(outlined))
+        drawPart(pass, state, part, filter, flags);
+    if (!outlined.isEmpty()) drawPart(pass, state, outlined, filter, flags |= CANVAS_OUTLINE);
+    drawPart(pass, state, rulerPlace(state), filter, flags | CANVAS_RULER);
 }
 
 void CanvasPainter::updateLabels(const CanvasState& state) {

@@ -8,37 +8,52 @@
 
 #include "gpu/device.h"
 #include "shaders/shared/canvas_block.h"
-#include "ui/canvas/canvas_window.h"
+#include "ui/canvas/canvas_state.h"
 #include "ui/canvas/ruler.h"
 
 namespace ui {
 
 /// Draws what the canvas shows, display-encoded, into a picture of the view's size: photograph, result or layer, with
-/// outline, mask, brush and ruler. Made again when the device was lost.
+/// outline, mask, brush and ruler. Recreated after the device was lost.
 class CanvasPainter {
   public:
     explicit CanvasPainter(gpu::Device device);
 
     /// Draws `state` for a view of `size` [device pixels] with `ratio` device pixels per logical one. `result` is the
-    /// renderer's picture, an empty handle when there is none. `changed`: all that is different from what was drawn
-    /// last is in this part of the picture.
+    /// renderer's picture, an empty handle when there is none. `changed`: the part of the picture
+    /// that contains all differences from the last call.
     void record(const gpu::CommandEncoder& encoder, const CanvasState& state, QSize size, double ratio,
                 const gpu::Texture& result, const std::optional<QRect>& changed = std::nullopt);
-    /// What was drawn last: rgba8unorm, usage TextureBinding; an empty handle before.
+    /// The picture drawn last: rgba8unorm, usage TextureBinding; an empty handle before the first.
     [[nodiscard]] const gpu::Texture& screen() const { return screen_; }
 
   private:
+    /// A picture to draw and how.
+    struct Source {
+        gpu::Texture texture;
+        bool shown = false;
+        unsigned flags = 0;  ///< CANVAS_*
+    };
+    /// Chooses result, photograph or layer, as the state asks and as far as they are known.
+    [[nodiscard]] Source sourceOf(const CanvasState& state, const gpu::Texture& result);
+    /// Fits the screen to the view; returns whether it is a new one.
+    bool resizeScreen(QSize size);
+    /// Binds the picture with labels, mask and ruler; returns whether the bindings are new.
+    bool bind(const gpu::Texture& picture);
+    /// Draws the picture in the view, apart from `drawn_`'s outside: the part inside the outline with it, the ruler on
+    /// top.
+    void drawPicture(const gpu::RenderPassEncoder& pass, const CanvasState& state, unsigned flags);
     void updateLabels(const CanvasState& state);
     void updateMask(const CanvasState& state);
     void updateRuler(const CanvasState& state, double ratio);
-    /// Where the ruler goes in the view [device pixels]; empty without one.
+    /// Place of the ruler in the view [device pixels]; empty without one.
     [[nodiscard]] QRect rulerPlace(const CanvasState& state) const;
-    /// Draws the picture into a rectangle of the view, as far as it is to be drawn, made for exactly this filter and
-    /// these CANVAS_* flags.
+    /// Draws the picture into a rectangle of the view, clipped to `drawn_`, with a pipeline specialised for the filter
+    /// and the CANVAS_* flags.
     void drawPart(const gpu::RenderPassEncoder& pass, const CanvasState& state, const QRect& part, int filter,
                   unsigned flags);
     [[nodiscard]] const gpu::RenderPipeline& pipelineFor(int filter, unsigned flags);
-    /// The texture of a CPU picture, uploaded when it is another one than last time.
+    /// The texture of a CPU picture, uploaded when the picture differs from the last one.
     struct Upload {
         std::shared_ptr<const CanvasPicture> picture;
         gpu::Texture texture;
@@ -52,7 +67,7 @@ class CanvasPainter {
     gpu::PipelineLayout layout_;
     std::map<std::pair<int, unsigned>, gpu::RenderPipeline> pipelines_;
     gpu::Texture screen_;
-    QRect drawn_;  ///< what is to be drawn of it
+    QRect drawn_;  ///< part of it to redraw
     double ratio_ = 1;
     Upload original_;
     Upload layer_;

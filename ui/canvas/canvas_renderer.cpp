@@ -11,22 +11,23 @@
 #include "gpu/adopt.h"
 #include "gpu/error.h"
 #include "ui/canvas/display.h"
+#include "ui/words.h"
 
 namespace ui {
 
 namespace {
 
-/// Device time a slice of the renderer's work may take [s].
+/// Device time of a slice of the renderer's work [s].
 constexpr double kSliceBudget = 0.03;
-/// Of the first slice that shows a change [s]: less, because the user waits for it.
+/// Device time of the first slice that shows a change [s]; shorter, because the user waits for it.
 constexpr double kFirstSliceBudget = 0.015;
 
-/// How often to ask for work that other threads prepare [ms].
+/// Interval at which work prepared by other threads is polled [ms].
 constexpr int kWaitingInterval = 8;
 
 }  // namespace
 
-CanvasRenderer::CanvasRenderer(CanvasWindow& window) : window_(window) {
+CanvasRenderer::CanvasRenderer(QVulkanWindow& window, const CanvasState& state) : window_(window), state_(state) {
     poll_.setTimerType(Qt::PreciseTimer);
     QObject::connect(&poll_, &QTimer::timeout, &poll_, [this] { poll(); });
     start_.setSingleShot(true);
@@ -52,21 +53,21 @@ void CanvasRenderer::initResources() {
         sceneStale_ = true;
         paintWanted_ = true;
         deviceName_ = QString::fromStdString(device_.adapterInfo().name);
-        emit window_.deviceReady(deviceName_);
+        emit deviceReady(deviceName_);
     } catch (const std::exception& error) {
-        fail(QString::fromUtf8(error.what()));
+        fail(translated(error));
     }
 }
 
 void CanvasRenderer::releaseResources() { drop(); }
 
 void CanvasRenderer::logicalDeviceLost() {
-    fail(CanvasWindow::tr("The graphics device was lost and is being started again. Your edits are not affected."));
-    emit window_.deviceLost();
+    fail(tr("The graphics device was lost and is being restarted. Your edits are safe."));
+    emit deviceLost();
 }
 
 void CanvasRenderer::physicalDeviceLost() {
-    fail(CanvasWindow::tr("The graphics device is gone. Your edits are not affected: save, and start Patina again."));
+    fail(tr("The graphics device is gone. Your edits are safe: save them and restart Patina."));
 }
 
 void CanvasRenderer::drop() {
@@ -97,7 +98,7 @@ void CanvasRenderer::drop() {
 
 void CanvasRenderer::fail(const QString& sentence) {
     failed_ = true;
-    emit window_.failed(sentence);
+    emit failed(sentence);
 }
 
 void CanvasRenderer::retry() {
@@ -128,38 +129,39 @@ void CanvasRenderer::step() {
     attempt([this] { submitStep(); });
 }
 
-void CanvasRenderer::submitStep() {
-    const CanvasState& state = window_.state();
-    if (state.photo != rendererPhoto_) {
-        // Another photograph: nothing of the old picture may be shown.
+double CanvasRenderer::takeScene() {
+    if (state_.photo != rendererPhoto_) {
+        // The old photograph's picture must not be shown any longer.
         renderer_.reset();
-        rendererPhoto_ = state.photo;
+        rendererPhoto_ = state_.photo;
         hasResult_ = false;
         progress_ = {};
         sceneStale_ = true;
     }
-    double budget = kSliceBudget;
-    if (state.scene != nullptr && sceneStale_) {
-        budget = kFirstSliceBudget;
-        if (renderer_ == nullptr) renderer_ = std::make_unique<render::Renderer>(device_);
-        renderer_->setScene(*state.scene, state.analysis);
-        renderedScene_ = state.sceneNumber;
-        sceneStale_ = false;
-    }
+    if (state_.scene == nullptr || !sceneStale_) return kSliceBudget;
+    if (renderer_ == nullptr) renderer_ = std::make_unique<render::Renderer>(device_);
+    renderer_->setScene(*state_.scene, state_.analysis);
+    renderedScene_ = state_.sceneNumber;
+    sceneStale_ = false;
+    return kFirstSliceBudget;
+}
+
+void CanvasRenderer::submitStep() {
+    const double budget = takeScene();
     gpu::CommandEncoder encoder = device_.createCommandEncoder({.label = "canvas step"});
-    if (renderer_ != nullptr) renderer_->setRefining(state.refining);
-    workLeft_ = renderer_ != nullptr && !state.suspended && renderer_->record(encoder, budget);
+    if (renderer_ != nullptr) renderer_->setRefining(state_.refining);
+    workLeft_ = renderer_ != nullptr && !state_.suspended && renderer_->record(encoder, budget);
     if (renderer_ != nullptr) {
         hasResult_ = static_cast<bool>(renderer_->result());
         progress_ = renderer_->progress();
     }
-    const bool resultShown = hasResult_ && state.layer == ViewLayer::Result && !state.comparing;
+    const bool resultShown = hasResult_ && state_.layer == ViewLayer::Result && !state_.comparing;
     const core::PixelBox changed = hasResult_ ? renderer_->changed() : core::PixelBox();
     painted_ = paintWanted_ || (resultShown && !changed.empty());
     if (painted_) {
         std::optional<QRect> part;
         if (!paintWanted_) part = QRect(QPoint(changed.x0, changed.y0), QPoint(changed.x1, changed.y1));
-        painter_->record(encoder, state, window_.swapChainImageSize(), window_.devicePixelRatio(),
+        painter_->record(encoder, state_, window_.swapChainImageSize(), window_.devicePixelRatio(),
                          hasResult_ ? renderer_->result() : gpu::Texture(), part);
         if (hasResult_ && !progress_.waiting) paintedScene_ = renderedScene_;
         paintWanted_ = false;
@@ -169,7 +171,7 @@ void CanvasRenderer::submitStep() {
     device_.queue().submit(encoder.finish());
     pending_ = true;
     readProbe();
-    if (renderer_ != nullptr) emit window_.progressChanged();
+    if (renderer_ != nullptr) emit progressChanged();
     poll_.start(progress_.waiting ? kWaitingInterval : 1);
 }
 
@@ -192,7 +194,7 @@ void CanvasRenderer::startNextFrame() {
     if (!drawn_) clear();
     window_.frameReady();
     shownScene_ = paintedScene_;
-    emit window_.framePresented();
+    emit framePresented();
     if (workLeft_ || sceneStale_ || paintWanted_ || probeWanted_) step();
 }
 
@@ -266,24 +268,23 @@ void CanvasRenderer::probeCursor() {
 }
 
 void CanvasRenderer::recordProbe(const gpu::CommandEncoder& encoder) {
-    const CanvasState& state = window_.state();
     if (!probeWanted_ || probePending_ || !hasResult_) return;
     probeWanted_ = false;
     const gpu::Texture result = renderer_->result();
-    if (!state.cursorInside || state.cursor.x() >= static_cast<int>(result.width()) ||
-        state.cursor.y() >= static_cast<int>(result.height())) {
+    if (!state_.cursorInside || state_.cursor.x() >= static_cast<int>(result.width()) ||
+        state_.cursor.y() >= static_cast<int>(result.height())) {
         return;
     }
     encoder.copyTextureToBuffer(
         {.texture = result,
-         .origin = {static_cast<std::uint32_t>(state.cursor.x()), static_cast<std::uint32_t>(state.cursor.y()), 0}},
+         .origin = {static_cast<std::uint32_t>(state_.cursor.x()), static_cast<std::uint32_t>(state_.cursor.y()), 0}},
         {.buffer = probe_, .layout = {}}, {1, 1, 1});
     probePending_ = true;
 }
 
 void CanvasRenderer::readProbe() {
     if (!probePending_ || probe_.mapState() != gpu::BufferMapState::Unmapped) return;
-    const QPoint cursor = window_.state().cursor;
+    const QPoint cursor = state_.cursor;
     probe_.mapAsync(gpu::MapMode::Read, 0, gpu::kWholeSize,
                     [this, cursor](gpu::MapAsyncStatus status, std::string_view) {
                         probePending_ = false;
@@ -296,7 +297,7 @@ void CanvasRenderer::attempt(const std::function<void()>& work) {
     try {
         work();
     } catch (const std::exception& error) {
-        fail(QString::fromUtf8(error.what()));
+        fail(translated(error));
     }
 }
 
@@ -304,9 +305,8 @@ void CanvasRenderer::finishProbe(int x, int y) {
     const auto* rgba = static_cast<const float*>(probe_.getConstMappedRange());
     const core::Vector3f value(rgba[0], rgba[1], rgba[2]);
     probe_.unmap();
-    const CanvasState& state = window_.state();
-    if (!state.cursorInside || state.cursor != QPoint(x, y)) return;
-    emit window_.cursorMoved({.x = x, .y = y, .inside = true, .hasResult = true, .result = value});
+    if (!state_.cursorInside || state_.cursor != QPoint(x, y)) return;
+    emit cursorMoved({.x = x, .y = y, .inside = true, .hasResult = true, .result = value});
 }
 
 }  // namespace ui

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QObject>
 #include <QTimer>
-#include <QVulkanWindowRenderer>
+#include <QVulkanWindow>
 #include <functional>
 #include <memory>
 
 #include "gpu/device.h"
 #include "render/renderer.h"
 #include "ui/canvas/canvas_painter.h"
-#include "ui/canvas/canvas_window.h"
+#include "ui/canvas/canvas_state.h"
 
 namespace ui {
 
@@ -18,10 +19,12 @@ namespace ui {
 ///
 /// Presenting a frame waits for everything submitted before it, on some drivers in the calling thread. So a frame only
 /// copies a finished picture: a step (a slice of the renderer's work, and the view drawn into a picture) is submitted,
-/// and the frame is asked for when it has completed. In between the window's thread is free.
-class CanvasRenderer : public QVulkanWindowRenderer {
+/// and the frame is requested once it has completed. The window's thread is free in the meantime.
+class CanvasRenderer : public QObject, public QVulkanWindowRenderer {
+    Q_OBJECT
   public:
-    explicit CanvasRenderer(CanvasWindow& window);
+    /// Draws `state` into `window`. Both outlive the renderer.
+    CanvasRenderer(QVulkanWindow& window, const CanvasState& state);
 
     void initResources() override;
     void releaseResources() override;
@@ -35,17 +38,29 @@ class CanvasRenderer : public QVulkanWindowRenderer {
     [[nodiscard]] std::uint64_t shownScene() const { return shownScene_; }
     /// Forgets a failure, for example memory that a smaller photograph does not need.
     void retry();
-    /// Draws the state soon: after the step in work, once for all changes until then.
+    /// Draws the state after the current step, once for all changes until then.
     void paint();
-    /// Reads the result under the cursor with the next step; the answer comes as CanvasWindow::cursorMoved.
+    /// Reads the result under the cursor with the next step; cursorMoved delivers the answer.
     void probeCursor();
 
     [[nodiscard]] render::Renderer::Progress progress() const { return progress_; }
     [[nodiscard]] const QString& deviceName() const { return deviceName_; }
 
+  signals:
+    void deviceReady(const QString& name);
+    void progressChanged();
+    /// A frame was handed to the display; it shows the state at its start.
+    void framePresented();
+    void failed(const QString& sentence);
+    /// After `failed`: QVulkanWindow has given the device up and makes another one when it is next exposed.
+    void deviceLost();
+    void cursorMoved(const ui::CursorValue& value);
+
   private:
     void schedule();
     void step();
+    /// Hands a new scene of the state to the renderer; returns the device time for the next slice [s].
+    [[nodiscard]] double takeScene();
     void submitStep();
     void poll();
     void makePresentPipeline();
@@ -61,7 +76,8 @@ class CanvasRenderer : public QVulkanWindowRenderer {
     void fail(const QString& sentence);
     void drop();
 
-    CanvasWindow& window_;
+    QVulkanWindow& window_;
+    const CanvasState& state_;
     gpu::Device device_;
     QString deviceName_;
     std::unique_ptr<render::Renderer> renderer_;
@@ -71,16 +87,16 @@ class CanvasRenderer : public QVulkanWindowRenderer {
     gpu::RenderPipeline presentPipeline_;
     gpu::Texture presented_;
     gpu::BindGroup presentGroup_;  ///< with `presented_`
-    QTimer start_;                 ///< to the next step, so that it takes in all input that has arrived
-    QTimer poll_;                  ///< runs while a step is in work
-    bool pending_ = false;         ///< a step is in work on the device
+    QTimer start_;                 ///< delays a step until all input that has arrived is processed
+    QTimer poll_;                  ///< runs while a step is pending
+    bool pending_ = false;         ///< the device is working on a step
     bool painted_ = false;         ///< the step draws
     bool workLeft_ = false;        ///< the renderer is not finished
     bool paintWanted_ = true;      ///< the state changed since it was drawn
     bool presenting_ = false;      ///< a frame was asked for
     bool sceneStale_ = true;
     std::uint64_t renderedScene_ = 0;  ///< CanvasState::sceneNumber of the renderer's scene
-    std::uint64_t paintedScene_ = 0;   ///< of the drawn picture
+    std::uint64_t paintedScene_ = 0;   ///< number of the scene in the drawn picture
     std::uint64_t shownScene_ = 0;
     bool hasResult_ = false;
     bool failed_ = false;

@@ -17,7 +17,13 @@ CanvasWindow::CanvasWindow() {
 }
 
 QVulkanWindowRenderer* CanvasWindow::createRenderer() {
-    renderer_ = new CanvasRenderer(*this);
+    renderer_ = new CanvasRenderer(*this, state_);
+    connect(renderer_, &CanvasRenderer::deviceReady, this, &CanvasWindow::deviceReady);
+    connect(renderer_, &CanvasRenderer::progressChanged, this, &CanvasWindow::progressChanged);
+    connect(renderer_, &CanvasRenderer::framePresented, this, &CanvasWindow::framePresented);
+    connect(renderer_, &CanvasRenderer::deviceLost, this, &CanvasWindow::deviceLost);
+    connect(renderer_, &CanvasRenderer::cursorMoved, this, &CanvasWindow::cursorMoved);
+    connect(renderer_, &CanvasRenderer::failed, this, &CanvasWindow::failed);
     return renderer_;
 }
 

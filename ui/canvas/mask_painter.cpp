@@ -4,8 +4,8 @@
 namespace ui {
 
 namespace {
-/// A picture that takes longer than this for its first sample is begun anew all the same [ms].
-constexpr qint64 kLongestWait = 1000;
+/// Wait for the first sample of a picture before the stroke restarts it anyway [ms].
+constexpr qint64 kMaxWait = 1000;
 }  // namespace
 
 MaskPainter::MaskPainter(Workspace& workspace, Canvas& canvas, QObject* parent)
@@ -50,7 +50,7 @@ void MaskPainter::end() {
 void MaskPainter::publishWhenShown() {
     if (!stroke_ || !unpublished_) return;
     const bool shown = canvas_.upToDate() && canvas_.progress().samples > 0;
-    if (shown || published_.elapsed() > kLongestWait) publish();
+    if (shown || published_.elapsed() > kMaxWait) publish();
 }
 
 void MaskPainter::publish() {

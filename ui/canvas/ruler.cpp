@@ -8,34 +8,21 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
-#include <vector>
-
-#include "ui/canvas/canvas.h"
 
 namespace ui {
 namespace {
 
-constexpr double kLongest = 200;  // logical pixels
-
-/// Median depth of a segment's front [m]; 0 when nothing of it has a depth.
-double medianDepth(const core::LabelImage& labels, const core::ImageF& depth, std::uint16_t label) {
-    std::vector<float> values;
-    for (std::size_t i = 0; i < labels.size(); ++i)
-        if (labels[i] == label && depth[i] > 0) values.push_back(depth[i]);
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return static_cast<double>(*middle);
-}
+/// Length limit [logical pixels].
+constexpr double kMaxLength = 200;
 
 }  // namespace
 
 Ruler roundRuler(double millimetresPerPixel, double devicePixelRatio) {
-    const double longest = kLongest * devicePixelRatio * millimetresPerPixel;
+    const double longest = kMaxLength * devicePixelRatio * millimetresPerPixel;
     if (!std::isnormal(longest) || longest <= 0) return {};
     const double power = std::pow(10.0, std::floor(std::log10(longest)));
     double length = power;
-    // 1.000001: a length that is one of these but for rounding.
+    // The factor accepts lengths that exceed the limit by rounding only.
     for (const double step : {2.0, 5.0, 10.0})
         if (step * power <= 1.000001 * longest) length = step * power;
     return {.millimetres = length, .pixels = length / millimetresPerPixel};
@@ -85,35 +72,5 @@ QImage rulerImage(const Ruler& ruler, double devicePixelRatio) {
     painter.fillPath(letters, Qt::white);
     return image;
 }
-
-SubstanceRuler::SubstanceRuler(const Workspace& workspace, Canvas& canvas, QObject* parent)
-    : QObject(parent), workspace_(workspace), canvas_(canvas) {
-    connect(&workspace_, &Workspace::selectionChanged, this, &SubstanceRuler::update);
-    connect(&workspace_, &Workspace::sceneChanged, this, &SubstanceRuler::update);
-    connect(&workspace_, &Workspace::analysisChanged, this, &SubstanceRuler::update);
-    connect(&workspace_, &Workspace::documentReplaced, this, &SubstanceRuler::update);
-}
-
-void SubstanceRuler::setShown(bool shown) {
-    shown_ = shown;
-    update();
-}
-
-double SubstanceRuler::millimetresPerPixel() {
-    const core::Segment* segment = workspace_.selectedSegment();
-    const std::shared_ptr<const core::Analysis>& analysis = workspace_.analysis();
-    if (segment == nullptr || !segment->edit || !segment->edit->translucency || analysis == nullptr) return 0;
-    const core::Photo& photo = *workspace_.scene().photo;
-    if (analysis != depthFrom_ || segment->label != depthOf_) {
-        if (!analysis->front->depth.sameSize(photo.labels)) return 0;
-        depth_ = medianDepth(photo.labels, analysis->front->depth, segment->label);
-        depthFrom_ = analysis;
-        depthOf_ = segment->label;
-    }
-    const double focal = 0.5 * static_cast<double>(photo.camera.fx + photo.camera.fy);
-    return 1000 * depth_ / focal * static_cast<double>(segment->edit->translucency->scale);
-}
-
-void SubstanceRuler::update() { canvas_.setRuler(shown_ ? millimetresPerPixel() : 0); }
 
 }  // namespace ui

@@ -21,7 +21,7 @@ core::ImageRgb depthPicture(const core::ImageF& depth, const core::ImageF& scale
         nearest = nearest == 0 ? z : std::min(nearest, z);
         farthest = std::max(farthest, z);
     }
-    // Even steps in 1/z: what is near gets more colours, as in the photograph it gets more pixels.
+    // Uniform in 1/z, so that near surfaces get more colours.
     const float low = farthest > 0 ? 1 / farthest : 0;
     const float range = nearest > 0 ? std::max(1 / nearest - low, 1e-6f) : 1;
     core::ImageRgb picture(depth.width(), depth.height(), kNothing);

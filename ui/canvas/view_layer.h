@@ -9,7 +9,7 @@
 
 namespace ui {
 
-/// What the canvas shows. Result comes from the renderer, the others are pictures made here.
+/// Pictures the canvas can show. Result comes from the renderer, the others are made here.
 enum class ViewLayer { Result, Original, Depth, Normals, Segments, BackDepth, Coverage };
 inline constexpr std::array kViewLayers = {ViewLayer::Result,  ViewLayer::Original, ViewLayer::Depth,
                                            ViewLayer::Normals, ViewLayer::Segments, ViewLayer::BackDepth,

@@ -14,6 +14,7 @@
 #include "core/io/image_io.h"
 #include "ui/widgets/param_control.h"
 #include "ui/widgets/profile_view.h"
+#include "ui/words.h"
 
 namespace ui {
 
@@ -32,7 +33,7 @@ QString BackSidePanel::outcomeText() const {
     const QString penalty = locale().toString(static_cast<double>(info->mirrorError), 'f', 2);
     QString text;
     if (!info->note.empty()) {
-        text = tr("%1. %2").arg(used, QString::fromStdString(info->note));
+        text = tr("%1. %2").arg(used, translated(info->note));
     } else if (workspace().selectedSegment()->backSide.method == core::BackSideMethod::Automatic) {
         text = tr("Automatic: %1 (penalty %2)").arg(used, penalty);
     } else if (info->used != core::BackSideMethod::Offset) {
@@ -160,7 +161,7 @@ void BackSidePanel::chooseBackDepth() {
             scene.backDepth = depth;
         });
     } catch (const core::Error& problem) {
-        emit error(QString::fromUtf8(problem.what()));
+        emit error(translated(problem));
     }
 }
 

@@ -30,6 +30,7 @@
 #include "ui/widgets/param_control.h"
 #include "ui/widgets/param_slider.h"
 #include "ui/widgets/vector_edit.h"
+#include "ui/words.h"
 
 namespace ui {
 
@@ -540,7 +541,7 @@ void MaterialPanel::showFile(const core::Material& material) {
     const core::BrdfFile& file = *material.brdfFile;
     QString text = QString::fromStdString(file.name);
     if (!file.problem.empty())
-        text = tr("Shown as photographed: %1").arg(QString::fromStdString(file.problem));
+        text = tr("Shown as photographed: %1").arg(translated(file.problem));
     else if (!fileProblem_.isEmpty())
         text = tr("Showing the last valid version: %1").arg(fileProblem_);
     file_->setText(text);

@@ -37,7 +37,7 @@ struct Candidate {
     BackSideMethod method = BackSideMethod::Offset;
     std::optional<BackSamples> samples;  ///< nullopt: it failed
     float error = 0;                     ///< BackSideInfo::mirrorError
-    std::string failure;                 ///< reason, a full sentence
+    Message failure;                     ///< reason, a full sentence
 };
 
 Candidate mirrorAtPlane(const SegmentPixels& segment, BackSideMethod method, float shift) {
@@ -51,13 +51,13 @@ Candidate mirrorAtPlane(const SegmentPixels& segment, BackSideMethod method, flo
         for (const auto& [x, y] : segment.pixels) points.push_back(segment.front.position(x, y));
         const auto axis = mirrorAxis(points);
         if (!axis) {
-            result.failure = "Its points lie on a line, which has no mirror plane.";
+            result.failure = Message("messages", "Its points lie on a line, which has no mirror plane.");
             return result;
         }
         plane = fitMirrorPlane(segment, *axis);
         if (plane.error > kMaxMirrorError) {
             result.error = plane.error;
-            result.failure = "No mirror plane keeps most of it inside its silhouette.";
+            result.failure = Message("messages", "No mirror plane keeps most of it inside its silhouette.");
             return result;
         }
     }
@@ -65,7 +65,7 @@ Candidate mirrorAtPlane(const SegmentPixels& segment, BackSideMethod method, flo
     plane.offset += shift;
     BackSamples image = drawMirrorImage(segment, plane);
     if (static_cast<float>(coveredCount(image)) < kMinMirrorCover * static_cast<float>(segment.pixels.size())) {
-        result.failure = "Its mirror image covers too little of its silhouette.";
+        result.failure = Message("messages", "Its mirror image covers too little of its silhouette.");
         return result;
     }
     closeGaps(image);
@@ -79,7 +79,7 @@ Candidate flatFaces(FlatFaces solid) {
         closeGaps(solid.samples);
         result.samples = std::move(solid.samples);
     } else {
-        result.failure = "None of its flat faces ends at its outline.";
+        result.failure = Message("messages", "None of its flat faces ends at its outline.");
     }
     return result;
 }
@@ -90,16 +90,18 @@ Candidate invent(const SegmentPixels& segment, const std::optional<SupportPlane>
     Candidate result{method, {}, 0, {}};
     if (method == BackSideMethod::Offset) return result;
     if (segment.supports[segment.label]) {
-        result.failure = "It runs out of the picture like a table or a wall, so it is a slab of constant thickness.";
+        result.failure = Message(
+            "messages", "It runs out of the picture like a table or a wall, so it is a slab of constant thickness.");
     } else if (segment.pixels.size() < kMinMirrorPoints) {
-        result.failure = "It has too few pixels with depth to estimate its shape.";
+        result.failure = Message("messages", "It has too few pixels with depth to estimate its shape.");
     } else if (method == BackSideMethod::SpannedMirror) {
         SpannedMirror mirror = mirrorAtSpannedSurface(segment, support, params.planeShift, progress);
         result.error = mirror.error;
         if (mirror.outline > 0)
             result.samples = std::move(mirror.samples);
         else
-            result.failure = "None of its outline is visible, so no mirror can be spanned into it.";
+            result.failure =
+                Message("messages", "None of its outline is visible, so no mirror can be spanned into it.");
     } else if (method == BackSideMethod::FlatFaces) {
         return flatFaces(continueFlatFaces(segment));
     } else {
@@ -270,8 +272,9 @@ void requireFit(const Scene& scene, const ImageF& backDepth) {
     const auto size = [](const ImageF& image) {
         return std::to_string(image.width()) + "x" + std::to_string(image.height());
     };
-    throw Error(ErrorKind::Input, "The back-side depth \"" + scene.backDepthPath + "\" has " + size(backDepth) +
-                                      " pixels, but the photograph has " + size(depth) + ".");
+    throw Error(ErrorKind::Input,
+                Message("messages", "The back-side depth \"%1\" has %2 pixels, but the photograph has %3.")
+                    .with(scene.backDepthPath, size(backDepth), size(depth)));
 }
 
 }  // namespace

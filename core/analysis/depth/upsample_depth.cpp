@@ -17,13 +17,16 @@ constexpr float kColorRange = 0.12f;   ///< distance of display-encoded colours 
 constexpr float kSpatialSigma = 0.8f;  ///< in pixels of the map
 constexpr int kRadius = 2;             ///< of the window at edges
 
+/// Share of the time that averaging the colours takes.
+constexpr float kAveraging = 0.1f;
+
 /// Display encoding, near enough for weights.
 Vector3f encoded(const Vector3f& color) { return color.cwiseMax(0.0f).cwiseMin(1.0f).cwiseSqrt(); }
 
 /// Mean encoded colour of the photograph's pixels below every pixel of the map.
-ImageRgb averageColors(const ImageRgb& guide, int width, int height) {
+ImageRgb averageColors(const ImageRgb& guide, int width, int height, const Progress& progress) {
     ImageRgb result(width, height);
-    parallelFor(Progress(), height, [&](int j) {
+    parallelFor(progress, height, [&](int j) {
         const int y0 = static_cast<int>(static_cast<long>(j) * guide.height() / height);
         const int y1 = std::max(y0 + 1, static_cast<int>(static_cast<long>(j + 1) * guide.height() / height));
         for (int i = 0; i < width; ++i) {
@@ -162,18 +165,19 @@ struct Upsampler {
 
 }  // namespace
 
-ImageF upsampleDepth(const ImageF& depth, int width, int height, const ImageRgb* guide) {
+ImageF upsampleDepth(const ImageF& depth, int width, int height, const ImageRgb* guide, const Progress& progress) {
     if (depth.width() == width && depth.height() == height) return depth;
     Upsampler map;
     map.inverse = ImageF(depth.width(), depth.height());
     for (std::size_t i = 0; i < depth.size(); ++i) map.inverse[i] = depth[i] > 0 ? 1 / depth[i] : 0.0f;
     map.continuous = findContinuous(map.inverse);
-    if (guide != nullptr) map.colors = averageColors(*guide, depth.width(), depth.height());
+    if (guide != nullptr)
+        map.colors = averageColors(*guide, depth.width(), depth.height(), progress.part(0, kAveraging));
 
     ImageF result(width, height);
     const float scaleX = static_cast<float>(depth.width()) / static_cast<float>(width);
     const float scaleY = static_cast<float>(depth.height()) / static_cast<float>(height);
-    parallelFor(Progress(), height, [&](int y) {
+    parallelFor(progress.part(kAveraging, 1), height, [&](int y) {
         const float v = (static_cast<float>(y) + 0.5f) * scaleY - 0.5f;
         const int j = static_cast<int>(std::floor(v));
         for (int x = 0; x < width; ++x) {

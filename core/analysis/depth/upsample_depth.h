@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/image.h"
+#include "core/base/progress.h"
 
 namespace core {
 
@@ -12,6 +13,7 @@ namespace core {
 /// (0) compete in the same way: a lone one is filled, a hole remains, with the outline that the colours have.
 ///
 /// `guide` is the photograph at the new size, or nullptr: then distance alone decides.
-[[nodiscard]] ImageF upsampleDepth(const ImageF& depth, int width, int height, const ImageRgb* guide);
+[[nodiscard]] ImageF upsampleDepth(const ImageF& depth, int width, int height, const ImageRgb* guide,
+                                   const Progress& progress = {});
 
 }  // namespace core

@@ -34,14 +34,16 @@ std::optional<AppleDepth> readAppleDepth(const ImportFile& file, const Xmp& xmp)
     const auto least = xmp.number(kPixels, "FloatMinValue");
     const auto most = xmp.number(kPixels, "FloatMaxValue");
     if (!least || !most || !std::isfinite(*least) || !std::isfinite(*most) || !(*most > *least))
-        file.fail("its " + *type + " image has no range, expected FloatMinValue < FloatMaxValue in the XMP");
+        file.fail(Message("messages", "its %1 image has no range, expected FloatMinValue < FloatMaxValue in the XMP")
+                      .with(*type));
     apple.least = *least;
     apple.most = *most;
     apple.leastStored = xmp.number(kPixels, "IntMinValue").value_or(0);
     apple.mostStored = xmp.number(kPixels, "IntMaxValue").value_or(255);
     if (!(apple.mostStored > apple.leastStored))
-        file.fail("its " + *type + " image has integers from IntMinValue " + std::to_string(apple.leastStored) +
-                  " to IntMaxValue " + std::to_string(apple.mostStored) + ", expected a range");
+        file.fail(
+            Message("messages", "its %1 image has integers from IntMinValue %2 to IntMaxValue %3, expected a range")
+                .with(*type, apple.leastStored, apple.mostStored));
     apple.camera = readCamera(xmp);
     apple.relative = xmp.text(kAppleDepth, "Accuracy") == "relative";
     return apple;
@@ -55,8 +57,9 @@ void setAppleDepth(ImportedPhoto& photo, const ImportFile& file, const AppleDept
     photo.depth = std::move(stored);
     photo.kind = apple.kind;
     if (apple.relative)
-        photo.remarks.push_back("The camera states the depth inside \"" + file.path() +
-                                "\" as \"relative\": its scale is approximate.");
+        photo.remarks.push_back(
+            Message("messages", "The camera states the depth inside \"%1\" as \"relative\": its scale is approximate.")
+                .with(file.path()));
     if (!apple.camera) return;
     const Camera turned = orientCamera(*apple.camera, orientation);
     const float sx = static_cast<float>(photo.color.width()) / static_cast<float>(turned.width);

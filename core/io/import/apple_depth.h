@@ -8,14 +8,14 @@
 
 namespace core {
 
-/// What the XMP of an auxiliary image of an Apple camera says: pixeldatainfo and depthData.
+/// XMP of an auxiliary image of an Apple camera: pixeldatainfo and depthData.
 struct AppleDepth {
     DepthKind kind = DepthKind::Disparity;  ///< Disparity [1/m] or Z [m]
     double leastStored = 0;                 ///< integers that stand for `least` and `most`
     double mostStored = 255;
     double least = 0;
     double most = 0;
-    std::optional<Camera> camera;  ///< of the stored layout, at the size it was calibrated for
+    std::optional<Camera> camera;  ///< in the stored layout, at the size of the calibration
     bool relative = false;         ///< the camera does not vouch for the scale
 };
 

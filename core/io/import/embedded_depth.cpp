@@ -2,7 +2,6 @@
 #include "core/io/import/embedded_depth.h"
 
 #include <cmath>
-#include <sstream>
 
 #include "core/io/image_io.h"
 #include "core/io/import/xmp.h"
@@ -12,33 +11,32 @@ namespace core {
 
 namespace {
 
-std::string numberText(const std::optional<double>& value) {
-    if (!value) return "nothing";
-    std::ostringstream text;
-    text << *value;
-    return text.str();
+Message numberText(const std::optional<double>& value) {
+    return value ? Message(*value) : Message("messages", "nothing");
 }
 
 }  // namespace
 
-EmbeddedImage embeddedImage(const ImportFile& file, const std::string& base64, const std::string& what) {
+EmbeddedImage embeddedImage(const ImportFile& file, const std::string& base64, const Message& what) {
     auto bytes = decodeBase64(base64);
-    if (!bytes || bytes->empty()) file.fail(what + " in its XMP is damaged, expected an image in base64");
-    return {std::move(*bytes), what + " inside \"" + file.path() + "\""};
+    if (!bytes || bytes->empty())
+        file.fail(Message("messages", "%1 in its XMP is damaged, expected an image in base64").with(what));
+    return {std::move(*bytes), Message("messages", "%1 inside \"%2\"").with(what, file.path())};
 }
 
 ImageF decodeRange(const ImportFile& file, const EmbeddedImage& image, const DepthRange& range, int orientation) {
     const bool inverse = range.format == "RangeInverse";
     if (!inverse && range.format != "RangeLinear")
-        file.fail("its depth has the format \"" + range.format + "\", expected RangeInverse or RangeLinear");
+        file.fail(Message("messages", "its depth has the format \"%1\", expected RangeInverse or RangeLinear")
+                      .with(range.format));
     if (!range.near || !range.far || !std::isfinite(*range.near) || !std::isfinite(*range.far) || *range.near < 0 ||
         (inverse && *range.near == 0) || *range.far <= *range.near)
-        file.fail("its depth goes from " + numberText(range.near) + " (Near) to " + numberText(range.far) +
-                  " (Far), expected 0 < Near < Far");
+        file.fail(Message("messages", "its depth goes from %1 (Near) to %2 (Far), expected 0 < Near < Far")
+                      .with(numberText(range.near), numberText(range.far)));
     const ImageInfo info = readImageInfo(image);
     if (info.format.floating || info.format.bits > 16)
-        file.fail("its depth map has " + std::to_string(info.format.bits) +
-                  "-bit values, expected 8 or 16-bit integers");
+        file.fail(Message("messages", "its depth map has %1-bit values, expected 8 or 16-bit integers")
+                      .with(info.format.bits));
     const double most = std::exp2(info.format.bits) - 1;
     ImageF depth = loadScalar(image);
     for (float& value : depth.pixels()) {

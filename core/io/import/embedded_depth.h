@@ -11,9 +11,9 @@
 namespace core {
 
 /// An image in base64 inside `file`. `what` names it: `the depth map`. Throws Error(Input) when it is no base64.
-[[nodiscard]] EmbeddedImage embeddedImage(const ImportFile& file, const std::string& base64, const std::string& what);
+[[nodiscard]] EmbeddedImage embeddedImage(const ImportFile& file, const std::string& base64, const Message& what);
 
-/// How Google's depth maps and XDM store a range [Near, Far] in integers.
+/// A range [Near, Far] that Google's depth maps and XDM store in integers.
 struct DepthRange {
     std::string format;  ///< RangeLinear or RangeInverse
     std::optional<double> near;

@@ -25,6 +25,7 @@ ImportedPhoto readExrDepth(const ImportFile& file) {
 
 }  // namespace
 
-const ImportFormat exrDepthFormat{"channel Z of an EXR file", recognisesExrDepth, readExrDepth};
+const ImportFormat exrDepthFormat{MESSAGE_TEXT("messages", "channel Z of an EXR file"), recognisesExrDepth,
+                                  readExrDepth};
 
 }  // namespace core

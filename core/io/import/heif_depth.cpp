@@ -103,7 +103,7 @@ class HeifReader {
     [[nodiscard]] ImageF readGrey(const heif_image_handle& handle, bool turned) const {
         const Owned<heif_image> image = decode(handle, heif_colorspace_undefined, heif_chroma_undefined, turned);
         if (heif_image_has_channel(image.get(), heif_channel_Y) == 0)
-            file_.fail("its depth image is in colour, expected grey");
+            file_.fail(Message("messages", "its depth image is in colour, expected grey"));
         const Plane plane = planeOf(*image, heif_channel_Y);
         ImageF values(plane.width, plane.height);
         for (int y = 0; y < plane.height; ++y)
@@ -140,8 +140,8 @@ class HeifReader {
         const int width = heif_image_handle_get_width(&handle);
         const int height = heif_image_handle_get_height(&handle);
         if (width < 1 || height < 1 || static_cast<long>(width) * static_cast<long>(height) > kMaxImagePixels)
-            file_.fail("the image size is " + std::to_string(width) + "x" + std::to_string(height) +
-                       ", expected at most " + std::to_string(kMaxImagePixels) + " pixels");
+            file_.fail(Message("messages", "the image size is %1x%2, expected at most %3 pixels")
+                           .with(width, height, kMaxImagePixels));
         const Owned<heif_decoding_options> options(heif_decoding_options_alloc());
         options->ignore_transformations = turned ? 0 : 1;
         heif_image* image = nullptr;
@@ -156,7 +156,7 @@ class HeifReader {
         plane.height = heif_image_get_height(&image, channel);
         plane.bits = heif_image_get_bits_per_pixel_range(&image, channel);
         if (plane.bytes == nullptr || plane.width < 1 || plane.height < 1 || plane.bits < 1 || plane.bits > 16)
-            file_.fail("an image in it has no pixels");
+            file_.fail(Message("messages", "an image in it has no pixels"));
         return plane;
     }
 
@@ -194,10 +194,11 @@ class HeifReader {
                 space.white = {nclx->color_primary_white_x, nclx->color_primary_white_y};
             }
             if (decodeCoded(color.pixels(), space)) return;
-            file_.fail("its colours have the primaries " + std::to_string(nclx->color_primaries) +
-                       " and the transfer function " + std::to_string(nclx->transfer_characteristics) +
-                       " of ITU-T H.273 (16 is PQ, 18 is HLG), expected sRGB, a gamma, Rec.709, Rec.2020, linear light "
-                       "or an ICC profile");
+            file_.fail(
+                Message("messages",
+                        "its colours have the primaries %1 and the transfer function %2 of ITU-T H.273 (16 is PQ, 18 "
+                        "is HLG), expected sRGB, a gamma, Rec.709, Rec.2020, linear light or an ICC profile")
+                    .with(static_cast<int>(nclx->color_primaries), static_cast<int>(nclx->transfer_characteristics)));
         }
         decodeSrgb(color.pixels());
     }
@@ -223,9 +224,9 @@ ImportedPhoto readHeifDepth(const ImportFile& file) {
     if (depth == nullptr) return photo;
     auto apple = readAppleDepth(file, reader.readXmp(*depth));
     if (!apple)
-        file.fail(
-            "its depth image says nothing about its range, expected XMP with an AuxiliaryImageType of disparity "
-            "or depth");
+        file.fail(Message("messages",
+                          "its depth image says nothing about its range, expected XMP with an AuxiliaryImageType of "
+                          "disparity or depth"));
     ImageF displayed = reader.readGrey(*depth, true);
     const auto orientation = orientationBetween(reader.readGrey(*depth, false), displayed);
     if (!orientation) apple->camera.reset();
@@ -235,6 +236,7 @@ ImportedPhoto readHeifDepth(const ImportFile& file) {
 
 }  // namespace
 
-const ImportFormat heifDepthFormat{"the auxiliary depth image of a HEIC file", recognisesHeifDepth, readHeifDepth};
+const ImportFormat heifDepthFormat{MESSAGE_TEXT("messages", "the auxiliary depth image of a HEIC file"),
+                                   recognisesHeifDepth, readHeifDepth};
 
 }  // namespace core

@@ -19,8 +19,8 @@ const std::string& ImportFile::bytes() const {
     return bytes_;
 }
 
-void ImportFile::fail(const std::string& reason) const {
-    throw Error(ErrorKind::Input, "Cannot read \"" + path_ + "\": " + reason + ".");
+void ImportFile::fail(const Message& reason) const {
+    throw Error(ErrorKind::Input, Message("messages", "Cannot read \"%1\": %2.").with(path_, reason));
 }
 
 }  // namespace core

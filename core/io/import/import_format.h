@@ -25,7 +25,7 @@ class ImportFile {
     [[nodiscard]] const std::string& bytes() const;
 
     /// Throws Error(Input): `Cannot read "PATH": REASON.`
-    [[noreturn]] void fail(const std::string& reason) const;
+    [[noreturn]] void fail(const Message& reason) const;
 
     static constexpr std::size_t kHeadBytes = 256;
     static constexpr std::size_t kMaxBytes = std::size_t{2} << 30U;
@@ -36,25 +36,25 @@ class ImportFile {
     mutable std::string bytes_;
 };
 
-/// What an import format found in a file.
+/// Contents of a file as an import format found them.
 struct ImportedPhoto {
-    ImageRgb color;                    ///< scene-linear, as displayed
-    float clipLevel = 1;               ///< linear value of the largest code; infinite for floating-point colour
-    int orientation = 1;               ///< EXIF orientation that has been applied to `color`
-    std::optional<float> focal35mm;    ///< 35 mm equivalent focal length [mm]
-    ImageF depth;                      ///< as displayed, may be smaller than `color`; empty = the file has no depth
-    ImageF coverage;                   ///< [0, 1], share of each pixel of `depth` that is covered; empty = all of it
-    std::optional<DepthKind> kind;     ///< of `depth`; nullopt = the file does not say
-    double unit = 1;                   ///< metres per unit of `depth`
-    std::string assumedUnit;           ///< sentence for the user when `unit` is an assumption; "" = the file states it
-    std::optional<Camera> camera;      ///< of `color`, as displayed; nullopt = the file does not say
-    std::vector<std::string> remarks;  ///< further sentences for the user
+    ImageRgb color;                  ///< scene-linear, as displayed
+    float clipLevel = 1;             ///< linear value of the largest code; infinite for floating-point colour
+    int orientation = 1;             ///< EXIF orientation that has been applied to `color`
+    std::optional<float> focal35mm;  ///< 35 mm equivalent focal length [mm]
+    ImageF depth;                    ///< as displayed, may be smaller than `color`; empty = the file has no depth
+    ImageF coverage;                 ///< [0, 1], share of each pixel of `depth` that is covered; empty = all of it
+    std::optional<DepthKind> kind;   ///< kind of `depth`; nullopt = not stated
+    double unit = 1;                 ///< metres per unit of `depth`
+    Message assumedUnit;             ///< sentence for the user when `unit` is an assumption; empty = the file states it
+    std::optional<Camera> camera;    ///< for `color`, as displayed; nullopt = not stated
+    Notes remarks;                   ///< further sentences for the user
 };
 
 /// A kind of file that holds colour and depth.
 struct ImportFormat {
     const char* name;  ///< for messages: where the depth is, `channel Z of an EXR file`
-    /// By content. Throws Error(Input) only when the file is too damaged to tell.
+    /// Decides by content. Throws Error(Input) only if the file is too damaged for that.
     bool (*recognises)(const ImportFile& file);
     /// Throws Error(Input) that names the file, what was expected and what was found.
     ImportedPhoto (*read)(const ImportFile& file);

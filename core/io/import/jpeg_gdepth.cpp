@@ -17,28 +17,30 @@ bool recognisesGdepth(const ImportFile& file) {
     return file.head().starts_with("\xff\xd8\xff") && readJpegXmp(file.bytes()).text(kGoogleDepth, "Format");
 }
 
-/// The picture before the camera's artificial blur when it is there, else the picture of the JPEG.
+/// The picture before the camera's artificial blur if stored, otherwise the picture of the JPEG.
 ImageRgb readColor(const ImportFile& file, const Xmp& xmp, int orientation) {
     const auto sharp = xmp.text(kImage, "Data");
     if (!sharp) return loadColor(file.path());
-    EmbeddedImage image = embeddedImage(file, *sharp, "the sharp picture");
+    EmbeddedImage image = embeddedImage(file, *sharp, Message("messages", "the sharp picture"));
     const bool turned = readImageInfo(image).orientation != 1;
     return applyOrientation(loadColor(std::move(image)), turned ? 1 : orientation);
 }
 
 ImportedPhoto readGdepth(const ImportFile& file) {
-    std::string damage;
+    Message damage;
     const Xmp xmp = readJpegXmp(file.bytes(), &damage);
     const auto data = xmp.text(kGoogleDepth, "Data");
     if (!data)
-        file.fail(damage.empty() ? "its XMP has no GDepth:Data, expected the depth map that GDepth:Format announces"
-                                 : damage);
+        file.fail(
+            damage.empty()
+                ? Message("messages", "its XMP has no GDepth:Data, expected the depth map that GDepth:Format announces")
+                : damage);
     const ImageInfo info = readImageInfo(file.path());
     ImportedPhoto photo;
     photo.orientation = info.orientation;
     photo.focal35mm = info.focal35mm;
     photo.color = readColor(file, xmp, info.orientation);
-    photo.depth = decodeRange(file, embeddedImage(file, *data, "the depth map"),
+    photo.depth = decodeRange(file, embeddedImage(file, *data, Message("messages", "the depth map")),
                               {xmp.text(kGoogleDepth, "Format").value_or(""), xmp.number(kGoogleDepth, "Near"),
                                xmp.number(kGoogleDepth, "Far")},
                               info.orientation);
@@ -46,13 +48,18 @@ ImportedPhoto readGdepth(const ImportFile& file) {
     const auto unit = xmp.text(kGoogleDepth, "Units");
     if (unit == "mm") photo.unit = 0.001;
     if (unit != "mm" && unit != "m")
-        photo.assumedUnit = "The depth inside \"" + file.path() +
-                            "\" has no unit: 1 is taken as a metre. Give the metres per unit to set the true scale.";
+        photo.assumedUnit =
+            Message("messages",
+                    "The depth inside \"%1\" has no unit: 1 is taken as a metre. Give the metres per unit "
+                    "to set the true scale.")
+                .with(file.path())
+                .about(Setting::DepthUnit);
     return photo;
 }
 
 }  // namespace
 
-const ImportFormat jpegGdepthFormat{"a Google depth map (GDepth) in a JPEG", recognisesGdepth, readGdepth};
+const ImportFormat jpegGdepthFormat{MESSAGE_TEXT("messages", "a Google depth map (GDepth) in a JPEG"), recognisesGdepth,
+                                    readGdepth};
 
 }  // namespace core

@@ -23,7 +23,7 @@ struct Place {
     std::uint64_t size = 0;
 };
 
-/// Where the pictures after the first are, by the picture index, a TIFF structure; empty when it is damaged.
+/// Places of the pictures after the first, from the picture index, a TIFF structure; empty if it is damaged.
 std::vector<Place> readPictureIndex(const TiffBytes& index) {
     const auto entry = index.findEntry(index.integer(4, 4), kEntryTag);
     const auto bytes = entry ? index.integer(*entry + 4, 4) : std::nullopt;
@@ -69,18 +69,22 @@ ImportedPhoto readMpf(const ImportFile& file) {
         outside = outside || picture.empty();
         const auto apple = readAppleDepth(file, readJpegXmp(picture));
         if (!apple) continue;
-        const EmbeddedImage image{std::string(picture), "the depth map inside \"" + file.path() + "\""};
+        const EmbeddedImage image{
+            std::string(picture),
+            Message("messages", "%1 inside \"%2\"").with(Message("messages", "the depth map"), file.path())};
         const int own = readImageInfo(image).orientation;
         setAppleDepth(photo, file, *apple, applyOrientation(loadScalar(image), own == 1 ? info.orientation : 1),
                       info.orientation);
         return photo;
     }
-    if (outside) file.fail("the file is truncated: a picture of its index (MPF) lies beyond the end");
+    if (outside)
+        file.fail(Message("messages", "the file is truncated: a picture of its index (MPF) lies beyond the end"));
     return photo;
 }
 
 }  // namespace
 
-const ImportFormat jpegMpfFormat{"the depth of an Apple camera in a JPEG (MPF)", recognisesMpf, readMpf};
+const ImportFormat jpegMpfFormat{MESSAGE_TEXT("messages", "the depth of an Apple camera in a JPEG (MPF)"),
+                                 recognisesMpf, readMpf};
 
 }  // namespace core

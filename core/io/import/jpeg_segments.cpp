@@ -28,7 +28,7 @@ struct Extension {
 };
 
 /// Empty, with `damage` set, unless the parts follow each other without gap and fill the claimed size.
-std::string join(const Extension& extension, std::string& damage) {
+std::string join(const Extension& extension, Message& damage) {
     std::size_t there = 0;
     bool gap = !extension.sizesAgree;
     for (const auto& [offset, part] : extension.parts) {
@@ -36,8 +36,8 @@ std::string join(const Extension& extension, std::string& damage) {
         there += part.size();
     }
     if (gap || there != extension.size) {
-        damage = "its extended XMP is incomplete: expected " + std::to_string(extension.size) +
-                 " bytes in successive parts, found " + std::to_string(there);
+        damage = Message("messages", "its extended XMP is incomplete: expected %1 bytes in successive parts, found %2")
+                     .with(extension.size, there);
         return {};
     }
     std::string text;
@@ -72,7 +72,7 @@ std::vector<JpegSegment> jpegSegments(std::string_view stream, bool* complete) {
     return segments;
 }
 
-std::vector<std::string> jpegXmpPackets(std::string_view stream, std::string* damage) {
+std::vector<std::string> jpegXmpPackets(std::string_view stream, Message* damage) {
     std::vector<std::string> packets;
     std::map<std::string_view, Extension> extensions;
     bool complete = false;
@@ -89,8 +89,8 @@ std::vector<std::string> jpegXmpPackets(std::string_view stream, std::string* da
         if (!extension.parts.emplace(offset, segment.payload.substr(kExtendedHeader)).second)
             extension.sizesAgree = false;
     }
-    std::string problem;
-    if (!complete) problem = "the file is truncated: its header segments have no end";
+    Message problem;
+    if (!complete) problem = Message("messages", "the file is truncated: its header segments have no end");
     if (!packets.empty())
         for (const auto& [guid, extension] : extensions) {
             if (packets.front().find(guid) == std::string::npos) continue;

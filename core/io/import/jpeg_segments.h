@@ -5,12 +5,14 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace core {
 
 /// One marker segment before the entropy-coded data of a JPEG stream.
 struct JpegSegment {
     unsigned marker = 0;       ///< 0xE1 for APP1
-    std::size_t offset = 0;    ///< of `payload` in the stream
+    std::size_t offset = 0;    ///< position of `payload` in the stream
     std::string_view payload;  ///< without marker and length
 };
 
@@ -21,6 +23,6 @@ struct JpegSegment {
 /// XMP packets of a JPEG stream as XML texts: the standard packet first, then the extended one it refers to (joined by
 /// GUID and offset; XMP specification part 3, section 1.1.3.1). Parts that are missing, overlap, or do not add up are
 /// described in `damage`, and the extended packet is left out.
-[[nodiscard]] std::vector<std::string> jpegXmpPackets(std::string_view stream, std::string* damage = nullptr);
+[[nodiscard]] std::vector<std::string> jpegXmpPackets(std::string_view stream, Message* damage = nullptr);
 
 }  // namespace core

@@ -44,7 +44,7 @@ std::optional<Camera> readCamera(const XmpNode& node, int width, int height) {
 }
 
 ImportedPhoto readXdm(const ImportFile& file) {
-    std::string damage;
+    Message damage;
     const Xmp xmp = readJpegXmp(file.bytes(), &damage);
     for (const XmpNode& camera : xmp.items(kDevice, "Cameras")) {
         const auto map = camera.child(kCamera, "DepthMap");
@@ -57,7 +57,8 @@ ImportedPhoto readXdm(const ImportFile& file) {
         photo.color = loadColor(file.path());
         const DepthRange range{map->text(kXdmDepth, "Format").value_or(""), map->number(kXdmDepth, "Near"),
                                map->number(kXdmDepth, "Far")};
-        photo.depth = decodeRange(file, embeddedImage(file, *data, "the depth map"), range, info.orientation);
+        photo.depth = decodeRange(file, embeddedImage(file, *data, Message("messages", "the depth map")), range,
+                                  info.orientation);
         photo.kind = DepthKind::Z;
         const std::string metric = map->text(kXdmDepth, "Metric").value_or("");
         if (metric != "True" && metric != "true" && metric != "1") {
@@ -66,9 +67,17 @@ ImportedPhoto readXdm(const ImportFile& file) {
                 photo.unit = 0.001;
                 std::ranges::replace(photo.depth.pixels(), kSaturated, 0.0f);
             }
-            photo.assumedUnit = "The depth inside \"" + file.path() + "\" has no metric unit: 1 is taken as a " +
-                                (millimetres ? "millimetre." : "metre.") +
-                                " Give the metres per unit to set another scale.";
+            photo.assumedUnit =
+                (millimetres
+                     ? Message("messages",
+                               "The depth inside \"%1\" has no metric unit: 1 is taken as a millimetre. Give the "
+                               "metres per unit to set another scale.")
+                           .with(file.path())
+                     : Message("messages",
+                               "The depth inside \"%1\" has no metric unit: 1 is taken as a metre. Give the "
+                               "metres per unit to set another scale.")
+                           .with(file.path()))
+                    .about(Setting::DepthUnit);
         }
         const bool transposed = info.orientation >= 5;
         if (const auto stored =
@@ -76,11 +85,12 @@ ImportedPhoto readXdm(const ImportFile& file) {
             photo.camera = orientCamera(*stored, info.orientation);
         return photo;
     }
-    file.fail(damage.empty() ? "none of the cameras in its XMP (XDM) has a depth map" : damage);
+    file.fail(damage.empty() ? Message("messages", "none of the cameras in its XMP (XDM) has a depth map") : damage);
 }
 
 }  // namespace
 
-const ImportFormat jpegXdmFormat{"a depth map of extensible device metadata (XDM) in a JPEG", recognisesXdm, readXdm};
+const ImportFormat jpegXdmFormat{MESSAGE_TEXT("messages", "a depth map of extensible device metadata (XDM) in a JPEG"),
+                                 recognisesXdm, readXdm};
 
 }  // namespace core

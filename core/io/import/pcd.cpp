@@ -2,7 +2,6 @@
 // Organised point clouds (Point Cloud Library, PCD 0.7): a raster of points with colours. Intrinsics follow from the
 // points themselves.
 #include <cmath>
-#include <sstream>
 
 #include "core/io/color_decode.h"
 #include "core/io/import/pcd_points.h"
@@ -11,8 +10,10 @@ namespace core {
 
 namespace {
 
-constexpr double kMaxResidual = 2;           // of the pin-hole fit [px]
-constexpr std::size_t kMinimalPoints = 100;  // that a fit can be trusted with
+/// RMS residual of the pin-hole fit [px].
+constexpr double kMaxResidual = 2;
+/// Points needed for a reliable fit.
+constexpr std::size_t kMinPoints = 100;
 
 bool recognisesPcd(const ImportFile& file) {
     return file.head().starts_with("# .PCD") ||
@@ -22,7 +23,8 @@ bool recognisesPcd(const ImportFile& file) {
 const PcdField& requireReal(const ImportFile& file, const PcdHeader& header, const char* name) {
     const PcdField* field = header.find(name);
     if (field == nullptr || field->type != 'F' || field->size < 4)
-        file.fail("the point cloud has no field \"" + std::string(name) + "\" of type F and size 4 or 8");
+        file.fail(Message("messages", "the point cloud has no field \"%1\" of type F and size 4 or 8")
+                      .with(std::string(name)));
     return *field;
 }
 
@@ -67,9 +69,9 @@ Camera fitCamera(const ImportFile& file, const PcdPoints& points, const PcdField
             vertical.add(slopeY, v + 0.5);
             ++valid;
         }
-    if (valid < kMinimalPoints)
-        file.fail("only " + std::to_string(valid) + " points have x, y and z > 0, expected " +
-                  std::to_string(kMinimalPoints) + " or more");
+    if (valid < kMinPoints)
+        file.fail(
+            Message("messages", "only %1 points have x, y and z > 0, expected %2 or more").with(valid, kMinPoints));
     const Camera camera{depth.width(),
                         depth.height(),
                         static_cast<float>(horizontal.focal()),
@@ -78,10 +80,11 @@ Camera fitCamera(const ImportFile& file, const PcdPoints& points, const PcdField
                         static_cast<float>(vertical.center())};
     const double residual = std::max(horizontal.residual(), vertical.residual());
     if (!(camera.fx > 0) || !(camera.fy > 0) || !(residual <= kMaxResidual)) {
-        std::ostringstream text;
-        text << "its raster is not what a pin-hole camera sees (fx=" << camera.fx << ", fy=" << camera.fy << ", off by "
-             << residual << " pixels), expected x to the right, y downwards, z forward";
-        file.fail(text.str());
+        file.fail(
+            Message("messages",
+                    "its raster is not what a pin-hole camera sees (fx=%1, fy=%2, off by %3 pixels), expected x to "
+                    "the right, y downwards, z forward")
+                .with(camera.fx, camera.fy, residual));
     }
     return camera;
 }
@@ -95,7 +98,8 @@ ImportedPhoto readPcd(const ImportFile& file) {
     const PcdField* color = header.find("rgba");
     if (color == nullptr) color = header.find("rgb");
     if (color == nullptr || color->size != 4)
-        file.fail("the point cloud has no colours, expected a field \"rgb\" or \"rgba\" of size 4");
+        file.fail(
+            Message("messages", "the point cloud has no colours, expected a field \"rgb\" or \"rgba\" of size 4"));
 
     ImportedPhoto photo;
     photo.kind = DepthKind::Z;
@@ -115,6 +119,6 @@ ImportedPhoto readPcd(const ImportFile& file) {
 
 }  // namespace
 
-const ImportFormat pcdFormat{"an organised point cloud (PCD)", recognisesPcd, readPcd};
+const ImportFormat pcdFormat{MESSAGE_TEXT("messages", "an organised point cloud (PCD)"), recognisesPcd, readPcd};
 
 }  // namespace core

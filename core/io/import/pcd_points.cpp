@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kMaxHeaderBytes = 64 * 1024;
 constexpr std::size_t kMaxFields = 256;
-constexpr std::size_t kMaxValues = 4096;  // of one field
+/// Values of one field.
+constexpr std::size_t kMaxValues = 4096;
 
 /// Reads the words of header lines as numbers, with messages that name the line.
 class HeaderReader {
@@ -24,56 +25,71 @@ class HeaderReader {
     [[nodiscard]] PcdHeader read() {
         const std::string& bytes = file_.bytes();
         PcdHeader header;
-        long points = -1;
-        std::vector<long> sizes;
-        std::vector<long> counts;
-        std::string types;
+        Lists lists;
         while (header.data.empty()) {
             const std::size_t end = bytes.find('\n', header.begin);
             if (end == std::string::npos || end > kMaxHeaderBytes)
-                file_.fail("the PCD header has no end, expected a line \"DATA ...\"");
+                file_.fail(Message("messages", "the PCD header has no end, expected a line \"DATA ...\""));
             std::istringstream line(bytes.substr(header.begin, end - header.begin));
             header.begin = end + 1;
             std::string key;
             if (!(line >> key) || key.starts_with("#")) continue;
             std::vector<std::string> words;
             for (std::string word; line >> word;) words.push_back(word);
-            if (words.size() > kMaxFields) fail(key, "has " + std::to_string(words.size()) + " values");
-            if (words.empty()) fail(key, "has no value");
-            if (key == "FIELDS")
-                for (const std::string& word : words) header.fields.emplace_back().name = word;
-            else if (key == "SIZE")
-                sizes = numbers(key, words);
-            else if (key == "TYPE")
-                for (const std::string& word : words) types += word.size() == 1 ? word[0] : '?';
-            else if (key == "COUNT")
-                counts = numbers(key, words);
-            else if (key == "WIDTH")
-                header.width = side(key, words);
-            else if (key == "HEIGHT")
-                header.height = side(key, words);
-            else if (key == "POINTS")
-                points = numbers(key, words)[0];
-            else if (key == "DATA")
-                header.data = words[0];
+            if (words.size() > kMaxFields) fail(key, Message("messages", "has %1 values").with(words.size()));
+            if (words.empty()) fail(key, Message("messages", "has no value"));
+            readLine(key, words, header, lists);
         }
-        if (counts.empty()) counts.assign(header.fields.size(), 1);
-        completeFields(header, sizes, types, counts);
-        if (header.height < 2)
-            file_.fail("the point cloud has WIDTH " + std::to_string(header.width) + " and HEIGHT " +
-                       std::to_string(header.height) + ", expected a raster of points (HEIGHT of 2 or more)");
-        if (static_cast<long>(header.points()) > kMaxImagePixels)
-            file_.fail("the point cloud has " + std::to_string(header.width) + "x" + std::to_string(header.height) +
-                       " points, expected at most " + std::to_string(kMaxImagePixels));
-        if (points != -1 && points != static_cast<long>(header.points()))
-            fail("POINTS",
-                 "is " + std::to_string(points) + ", expected WIDTH times HEIGHT, " + std::to_string(header.points()));
+        if (lists.counts.empty()) lists.counts.assign(header.fields.size(), 1);
+        completeFields(header, lists.sizes, lists.types, lists.counts);
+        checkSize(header, lists.points);
         return header;
     }
 
   private:
-    [[noreturn]] void fail(const std::string& key, const std::string& reason) const {
-        file_.fail("the PCD header's " + key + " " + reason);
+    /// Values of lines that complete the fields or repeat what other lines say.
+    struct Lists {
+        std::vector<long> sizes;
+        std::string types;
+        std::vector<long> counts;
+        long points = -1;  ///< -1 = not stated
+    };
+
+    void readLine(const std::string& key, const std::vector<std::string>& words, PcdHeader& header,
+                  Lists& lists) const {
+        if (key == "FIELDS")
+            for (const std::string& word : words) header.fields.emplace_back().name = word;
+        else if (key == "SIZE")
+            lists.sizes = numbers(key, words);
+        else if (key == "TYPE")
+            for (const std::string& word : words) lists.types += word.size() == 1 ? word[0] : '?';
+        else if (key == "COUNT")
+            lists.counts = numbers(key, words);
+        else if (key == "WIDTH")
+            header.width = side(key, words);
+        else if (key == "HEIGHT")
+            header.height = side(key, words);
+        else if (key == "POINTS")
+            lists.points = numbers(key, words)[0];
+        else if (key == "DATA")
+            header.data = words[0];
+    }
+
+    void checkSize(const PcdHeader& header, long points) const {
+        if (header.height < 2)
+            file_.fail(
+                Message("messages",
+                        "the point cloud has WIDTH %1 and HEIGHT %2, expected a raster of points (HEIGHT of 2 or more)")
+                    .with(header.width, header.height));
+        if (static_cast<long>(header.points()) > kMaxImagePixels)
+            file_.fail(Message("messages", "the point cloud has %1x%2 points, expected at most %3")
+                           .with(header.width, header.height, kMaxImagePixels));
+        if (points != -1 && points != static_cast<long>(header.points()))
+            fail("POINTS", Message("messages", "is %1, expected WIDTH times HEIGHT, %2").with(points, header.points()));
+    }
+
+    [[noreturn]] void fail(const std::string& key, const Message& reason) const {
+        file_.fail(Message("messages", "the PCD header's %1 %2").with(key, reason));
     }
 
     [[nodiscard]] std::vector<long> numbers(const std::string& key, const std::vector<std::string>& words) const {
@@ -82,7 +98,7 @@ class HeaderReader {
             long value = 0;
             const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
             if (error != std::errc() || end != word.data() + word.size())
-                fail(key, "is \"" + word + "\", expected a whole number");
+                fail(key, Message("messages", "is \"%1\", expected a whole number").with(word));
             result.push_back(value);
         }
         return result;
@@ -91,7 +107,7 @@ class HeaderReader {
     [[nodiscard]] int side(const std::string& key, const std::vector<std::string>& words) const {
         const long value = numbers(key, words)[0];
         if (value < 1 || value > kMaxImageSide)
-            fail(key, "is " + std::to_string(value) + ", expected 1 to " + std::to_string(kMaxImageSide));
+            fail(key, Message("messages", "is %1, expected 1 to %2").with(value, kMaxImageSide));
         return static_cast<int>(value);
     }
 
@@ -99,17 +115,17 @@ class HeaderReader {
                         const std::vector<long>& counts) const {
         const std::size_t n = header.fields.size();
         if (n == 0 || sizes.size() != n || types.size() != n || counts.size() != n)
-            file_.fail("the PCD header's FIELDS, SIZE, TYPE and COUNT have " + std::to_string(n) + ", " +
-                       std::to_string(sizes.size()) + ", " + std::to_string(types.size()) + " and " +
-                       std::to_string(counts.size()) + " values, expected the same number");
+            file_.fail(Message("messages",
+                               "the PCD header's FIELDS, SIZE, TYPE and COUNT have %1, %2, %3 and %4 values, expected "
+                               "the same number")
+                           .with(n, sizes.size(), types.size(), counts.size()));
         for (std::size_t i = 0; i < n; ++i) {
             if (sizes[i] != 1 && sizes[i] != 2 && sizes[i] != 4 && sizes[i] != 8)
-                fail("SIZE", "has the value " + std::to_string(sizes[i]) + ", expected 1, 2, 4 or 8");
+                fail("SIZE", Message("messages", "has the value %1, expected 1, 2, 4 or 8").with(sizes[i]));
             if (counts[i] < 1 || counts[i] > static_cast<long>(kMaxValues))
-                fail("COUNT",
-                     "has the value " + std::to_string(counts[i]) + ", expected 1 to " + std::to_string(kMaxValues));
+                fail("COUNT", Message("messages", "has the value %1, expected 1 to %2").with(counts[i], kMaxValues));
             if (types[i] != 'F' && types[i] != 'I' && types[i] != 'U')
-                fail("TYPE", "has the value \"" + types.substr(i, 1) + "\", expected F, I or U");
+                fail("TYPE", Message("messages", "has the value \"%1\", expected F, I or U").with(types.substr(i, 1)));
             PcdField& field = header.fields[i];
             field.type = types[i];
             field.size = static_cast<std::size_t>(sizes[i]);
@@ -156,14 +172,15 @@ PcdPoints::PcdPoints(const ImportFile& file) : file_(file), header_(HeaderReader
     else if (header_.data == "binary_compressed")
         decompress();
     else
-        file.fail("the PCD header's DATA is \"" + header_.data + "\", expected ascii, binary or binary_compressed");
+        file.fail(Message("messages", "the PCD header's DATA is \"%1\", expected ascii, binary or binary_compressed")
+                      .with(header_.data));
 }
 
 std::string_view PcdPoints::payload(std::size_t begin, std::size_t size) const {
     const std::string& bytes = file_.bytes();
     if (begin > bytes.size() || size > bytes.size() - begin)
-        file_.fail("the file is truncated: its points take " + std::to_string(size) + " bytes, " +
-                   std::to_string(bytes.size() - std::min(begin, bytes.size())) + " are there");
+        file_.fail(Message("messages", "the file is truncated: its points take %1 bytes, %2 are there")
+                       .with(size, bytes.size() - std::min(begin, bytes.size())));
     return std::string_view(bytes).substr(begin, size);
 }
 
@@ -172,20 +189,20 @@ void PcdPoints::decompress() {
     std::memcpy(sizes, payload(header_.begin, sizeof sizes).data(), sizeof sizes);
     const std::size_t expected = header_.points() * header_.pointBytes;
     if (sizes[1] != expected)
-        file_.fail("its points unpack to " + std::to_string(sizes[1]) + " bytes, expected " + std::to_string(expected));
+        file_.fail(Message("messages", "its points unpack to %1 bytes, expected %2").with(sizes[1], expected));
     auto unpacked = lzfDecompress(payload(header_.begin + sizeof sizes, sizes[0]), expected);
-    if (!unpacked) file_.fail("its compressed points (LZF) are damaged");
+    if (!unpacked) file_.fail(Message("messages", "its compressed points (LZF) are damaged"));
     bytes_ = std::move(*unpacked);
     byField_ = true;
 }
 
 void PcdPoints::parseText() {
     const std::string& text = file_.bytes();
-    // A value takes a digit and a space at least.
+    // A value takes at least a digit and a space.
     std::size_t values = 0;
     for (const PcdField& field : header_.fields) values += field.count;
     if (header_.points() > (text.size() - header_.begin + 1) / 2 / values)
-        file_.fail("the file is truncated: expected " + std::to_string(header_.points()) + " lines of points");
+        file_.fail(Message("messages", "the file is truncated: expected %1 lines of points").with(header_.points()));
     bytes_.resize(header_.points() * header_.pointBytes);
     const char* at = text.data() + header_.begin;
     const char* const end = text.data() + text.size();
@@ -195,7 +212,7 @@ void PcdPoints::parseText() {
                 while (at != end && std::isspace(static_cast<unsigned char>(*at)) != 0) ++at;
                 at = parseValue(at, end, field, bytes_.data() + i * header_.pointBytes + field.offset + k * field.size);
                 if (at == nullptr)
-                    file_.fail("point " + std::to_string(i) + " has no value for the field \"" + field.name + "\"");
+                    file_.fail(Message("messages", "point %1 has no value for the field \"%2\"").with(i, field.name));
             }
 }
 

@@ -28,7 +28,7 @@ struct PcdHeader {
     int width = 0;
     int height = 0;
     std::string data;       ///< ascii, binary, binary_compressed
-    std::size_t begin = 0;  ///< of the data, in the file
+    std::size_t begin = 0;  ///< position of the data in the file
     std::size_t pointBytes = 0;
     [[nodiscard]] std::size_t points() const {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -76,7 +76,7 @@ class PcdPoints {
     const ImportFile& file_;
     PcdHeader header_;
     std::string bytes_;
-    bool byField_ = false;  ///< all values of a field together, else all fields of a point
+    bool byField_ = false;  ///< true: all values of a field together; false: all fields of a point
 };
 
 }  // namespace core

@@ -12,7 +12,8 @@ namespace core {
 namespace {
 
 constexpr std::string_view kRdf = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
-constexpr int kMaxAncestors = 64;  // of elements, when a prefix is looked up
+/// Ancestors searched for the definition of a prefix.
+constexpr int kMaxAncestors = 64;
 
 /// Namespace that a prefix stands for at `node`.
 std::string_view namespaceOf(pugi::xml_node node, std::string_view prefix) {
@@ -88,13 +89,13 @@ std::vector<double> XmpNode::numbers(std::string_view uri, std::string_view name
     return result;
 }
 
-Xmp::Xmp(const std::vector<std::string>& packets, std::string* damage) {
+Xmp::Xmp(const std::vector<std::string>& packets, Message* damage) {
     for (const std::string& packet : packets) {
         auto document = std::make_unique<pugi::xml_document>();
         const pugi::xml_parse_result result = document->load_buffer(packet.data(), packet.size());
         if (!result) {
             if (damage != nullptr && damage->empty())
-                *damage = std::string("its XMP is no well-formed XML: ") + result.description();
+                *damage = Message("messages", "its XMP is no well-formed XML: %1").with(result.description());
             continue;
         }
         const pugi::xml_node meta = findElement(*document, "adobe:ns:meta/", "xmpmeta");
@@ -130,8 +131,8 @@ std::vector<double> Xmp::numbers(std::string_view uri, std::string_view name) co
     return {};
 }
 
-Xmp readJpegXmp(std::string_view stream, std::string* damage) {
-    std::string problem;
+Xmp readJpegXmp(std::string_view stream, Message* damage) {
+    Message problem;
     Xmp xmp(jpegXmpPackets(stream, &problem), &problem);
     if (damage != nullptr) *damage = problem;
     return xmp;
@@ -149,7 +150,7 @@ std::optional<std::string> decodeBase64(std::string_view text) {
     std::string bytes;
     bytes.reserve(text.size() / 4 * 3);
     std::uint32_t bits = 0;
-    unsigned count = 0;  // of bits not yet written
+    unsigned count = 0;  // bits not yet written
     bool padded = false;
     for (const char c : text) {
         if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace core {
 
 /// A property or structure of an XMP packet. Valid as long as the Xmp it came from.
@@ -34,7 +36,7 @@ class XmpNode {
 class Xmp {
   public:
     /// Texts that are no XML are left out, and described in `damage`.
-    explicit Xmp(const std::vector<std::string>& packets, std::string* damage = nullptr);
+    explicit Xmp(const std::vector<std::string>& packets, Message* damage = nullptr);
 
     [[nodiscard]] bool has(std::string_view uri, std::string_view name) const;
     /// As in XmpNode, of the picture itself: the first rdf:Description that has the property.
@@ -49,7 +51,7 @@ class Xmp {
 };
 
 /// The XMP of a JPEG stream, standard and extended. What is wrong with it is described in `damage`.
-[[nodiscard]] Xmp readJpegXmp(std::string_view stream, std::string* damage = nullptr);
+[[nodiscard]] Xmp readJpegXmp(std::string_view stream, Message* damage = nullptr);
 
 /// Base64 text, white space ignored, to bytes; nullopt when it contains anything else.
 [[nodiscard]] std::optional<std::string> decodeBase64(std::string_view text);
