@@ -114,8 +114,9 @@ TEST_F(MerlFile, IsStoredRelativeToTheProjectWhichOpensWithoutIt) {
     core::Notes notes;
     const Scene without = loadProject(project, &notes);
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_THAT(notes[0].english(), testing::AllOf(testing::HasSubstr("segments[0].edit.brdf"), testing::HasSubstr("a.binary"),
-                                         testing::HasSubstr("does not exist")));
+    EXPECT_THAT(notes[0].english(),
+                testing::AllOf(testing::HasSubstr("segments[0].edit.brdf"), testing::HasSubstr("a.binary"),
+                               testing::HasSubstr("does not exist")));
     ASSERT_TRUE(without.segments[0].edit.has_value());
     EXPECT_FALSE(usable(*without.segments[0].edit));
     // It shows the photograph, and is still named when saved again.
