@@ -60,6 +60,13 @@ void Composite::record(const Slice& slice, const Key& key, const PixelSet& set, 
         context.composite.record(slice.encoder, context.geometry, group, block);
     }
     if (source.reached < pixels.count) return;
+    // The silhouette replaces what these pixels show, so it needs their composite anew: on its own result it would take
+    // the background's share once more with every slice.
+    const auto& mixedGroup = mixedGroup_.of([&](const auto&... from) { return context.composite.bind(from...); },
+                                            context.paths, set.mixedInside(), context.targets);
+    block.firstPixel = 0;
+    block.pixelCount = set.mixedInside().count;
+    if (block.pixelCount > 0) context.composite.record(slice.encoder, context.geometry, mixedGroup, block);
     const auto& silhouetteGroup =
         silhouetteGroup_.of([&](const auto&... from) { return context.silhouette.bind(from...); }, context.paths,
                             set.silhouette(), context.targets);

@@ -53,7 +53,7 @@ class Composite {
   private:
     std::optional<Key> shown_;
     std::vector<PixelRange> advanced_;  ///< since the last composite
-    Bound<gpu::BindGroup, PathInputs, PixelList, Targets> group_, silhouetteGroup_;
+    Bound<gpu::BindGroup, PathInputs, PixelList, Targets> group_, mixedGroup_, silhouetteGroup_;
 };
 
 }  // namespace render

@@ -68,6 +68,14 @@ void PixelSet::upload(RenderContext& context, const Found& found) {
                    .count = static_cast<std::uint32_t>(found.list.size()),
                    .bounds = found.bounds};
     silhouette_ = context.silhouette.upload(found.silhouette);
+    std::vector<std::uint32_t> inside;
+    for (const core::SilhouettePixel& p : found.silhouette)
+        if (p.x == p.sourceX && p.y == p.sourceY)
+            inside.push_back(static_cast<std::uint32_t>(p.x) | static_cast<std::uint32_t>(p.y) << 16);
+    mixedInside_ = {.buffer = makeBuffer(context.device, "mixed pixels of segment " + std::to_string(finding_.label),
+                                         gpu::BufferUsage::Storage, inside),
+                    .count = static_cast<std::uint32_t>(inside.size()),
+                    .bounds = silhouette_.bounds};
     ++silhouetteVersion_;
 }
 

@@ -34,6 +34,8 @@ class PixelSet {
     [[nodiscard]] const PixelList& pixels() const { return pixels_; }
     /// Pixels at the outline; the buffer holds kernel::MixedPixel.
     [[nodiscard]] const PixelList& silhouette() const { return silhouette_; }
+    /// Those of the silhouette that belong to the segment itself.
+    [[nodiscard]] const PixelList& mixedInside() const { return mixedInside_; }
     /// Number of outlines found so far.
     [[nodiscard]] std::uint64_t silhouetteVersion() const { return silhouetteVersion_; }
 
@@ -48,7 +50,7 @@ class PixelSet {
 
     Key wanted_, finding_, found_;
     std::future<Found> pending_;  ///< valid while pixels are being found
-    PixelList pixels_, silhouette_;
+    PixelList pixels_, silhouette_, mixedInside_;
     std::uint64_t silhouetteVersion_ = 0;
 };
 

@@ -90,12 +90,14 @@ TEST(Renderer, PausedItShowsTheFirstPictureAndGoesOnWhereItWas) {
     EXPECT_EQ(std::memcmp(paused.pixels().data(), atOnce.pixels().data(), paused.size() * sizeof(core::Vector3f)), 0);
 }
 
-TEST(Renderer, SameBytesOnAnySchedule) {
+class RendererSchedule : public testing::TestWithParam<bool> {};
+
+TEST_P(RendererSchedule, SameBytesOnAnySchedule) {
     AnalyticScene source = stillLife();
     source.environment->radiance(20, 12) = Vector3f(900, 800, 500);  // bright enough to be sampled
     core::Scene scene = edited(source, 2, ggx(0.2f), 6);
     scene.findSegment(3)->edit = marble();
-    scene.render.filter = true;
+    scene.render.filter = GetParam();
     scene.render.surfaceSamples = 600;
     scene.render.irradianceSamples = 8;
     std::vector<std::vector<float>> pictures;
@@ -117,6 +119,8 @@ TEST(Renderer, SameBytesOnAnySchedule) {
         EXPECT_EQ(std::memcmp(pictures[i].data(), pictures[0].data(), pictures[0].size() * sizeof(float)), 0) << i;
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(FilterOffAndOn, RendererSchedule, testing::Bool());
 
 TEST(Renderer, RestartsOnlyWhatAnEditInvalidates) {
     const AnalyticScene source = stillLife();
