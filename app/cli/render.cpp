@@ -149,8 +149,8 @@ void render(const RenderArguments& args, const Session& session) {
         render::renderImage(device, scene, analysis, printedProgress().of(core::Task::Render), &reached);
     finishProgress();
     if (reached.timeUp)
-        printNotes({"The time limit ended rendering after " + std::to_string(reached.samples) + " of " +
-                    std::to_string(reached.target) + " samples."});
+        printNotes(core::Notes{core::Message("messages", "The time limit ended rendering after %1 of %2 samples.")
+                                   .with(reached.samples, reached.target)});
     core::saveColor(result, args.output);
 }
 

@@ -4,6 +4,7 @@
 #include "core/analysis/pipeline.h"
 #include "core/base/clock.h"
 #include "core/io/image_io.h"
+#include "core/io/material_json.h"
 #include "core/io/project.h"
 #include "render/renderer.h"
 #include "tests/evaluate/device.h"

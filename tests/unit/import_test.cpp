@@ -82,7 +82,7 @@ TEST_F(ImportTest, GoogleDepthInSeveralPartsOfExtendedXmp) {
     }
     EXPECT_EQ(photo.kind, DepthKind::Z);
     EXPECT_EQ(photo.unit, 1.0);
-    EXPECT_THAT(photo.assumedUnit, testing::HasSubstr("g.jpg"));
+    EXPECT_THAT(photo.assumedUnit.english(), testing::HasSubstr("g.jpg"));
     EXPECT_NEAR(photo.color(3, 2).x(), linear(200), 0.01) << "the sharp picture, not the blurred one";
     EXPECT_FALSE(photo.camera.has_value());
 }
@@ -157,7 +157,7 @@ TEST_F(ImportTest, XdmWithEntitiesInItsText) {
     test::writeBytes(folder / "x.jpg", file("False"));
     const core::ImportedPhoto photo = import(folder / "x.jpg", "XDM");
     EXPECT_EQ(photo.unit, 0.001);
-    EXPECT_THAT(photo.assumedUnit, testing::HasSubstr("millimetre"));
+    EXPECT_THAT(photo.assumedUnit.english(), testing::HasSubstr("millimetre"));
     EXPECT_NEAR(photo.depth(0, 1), 1861, 1e-3);
     EXPECT_NEAR(photo.depth(1, 3), 500, 1e-3);
     EXPECT_EQ(photo.depth(0, 2), 0) << "saturated: nothing measured";
@@ -187,7 +187,7 @@ TEST_F(ImportTest, AppleDisparityInTheSecondPicture) {
     ASSERT_TRUE(photo.camera.has_value());
     EXPECT_EQ(*photo.camera, (core::Camera{32, 16, 25, 25.5f, 10, 7.5f}));
     ASSERT_EQ(photo.remarks.size(), 1U);
-    EXPECT_THAT(photo.remarks[0], testing::HasSubstr("relative"));
+    EXPECT_THAT(photo.remarks[0].english(), testing::HasSubstr("relative"));
 
     test::writeBytes(folder / "turned.jpg", test::mpfFile(front, test::exifSegment(6), second));
     const core::ImportedPhoto turned = import(folder / "turned.jpg", "MPF");

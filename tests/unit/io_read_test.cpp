@@ -134,12 +134,12 @@ TEST_F(ReadTest, NonFiniteIsZeroAndNegativeIsClamped) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float inf = std::numeric_limits<float>::infinity();
     test::writePfm(folder / "a.pfm", 2, 1, 3, {nan, 0.5f, inf, -inf, -1, 2});
-    std::vector<std::string> remarks;
+    core::Notes remarks;
     const core::ImageRgb image = core::loadColor(folder / "a.pfm", &remarks);
     expectColor(image(0, 0), 0, 0.5, 0);
     expectColor(image(1, 0), 0, 0, 2);
     ASSERT_EQ(remarks.size(), 1u);
-    EXPECT_NE(remarks[0].find("a.pfm\" 100 % of the pixels are not finite"), std::string::npos) << remarks[0];
+    EXPECT_NE(remarks[0].english().find("a.pfm\" 100 % of the pixels are not finite"), std::string::npos) << remarks[0].english();
 }
 
 TEST_F(ReadTest, PixelsThatAreNoRadianceAreSaid) {
@@ -152,9 +152,9 @@ TEST_F(ReadTest, PixelsThatAreNoRadianceAreSaid) {
                 values[3 * i + 1] = std::numeric_limits<float>::quiet_NaN();
         }
         test::writePfm(folder / "a.pfm", 100, 10, 3, values);
-        std::vector<std::string> remarks;
+        core::Notes remarks;
         (void)core::loadColor(folder / "a.pfm", &remarks);
-        return remarks.empty() ? std::string() : remarks[0];
+        return remarks.empty() ? std::string() : remarks[0].english();
     };
     EXPECT_EQ(remarkOf(20, 0), "") << "colours outside Rec.709 are usual";
     EXPECT_NE(remarkOf(300, 0).find("30 % of the pixels are negative"), std::string::npos);
