@@ -346,7 +346,7 @@ TEST_F(CanvasWindowTest, StartsAgainAfterTheDeviceWasLost) {
     for (int loss = 0; loss < 4; ++loss) {
         native->renderer()->logicalDeviceLost();
         ASSERT_TRUE(test::waitUntil([&] { return message->isVisible(); }, 5000));
-        EXPECT_TRUE(message->text().contains(QStringLiteral("being started again"))) << message->text().toStdString();
+        EXPECT_TRUE(message->text().contains(QStringLiteral("is being restarted"))) << message->text().toStdString();
         if (loss < 3) {
             ASSERT_TRUE(test::waitUntil([&] { return !message->isVisible() && window_.settled(); }, 60000)) << loss;
         }
