@@ -139,7 +139,8 @@ TEST_F(ReadTest, NonFiniteIsZeroAndNegativeIsClamped) {
     expectColor(image(0, 0), 0, 0.5, 0);
     expectColor(image(1, 0), 0, 0, 2);
     ASSERT_EQ(remarks.size(), 1u);
-    EXPECT_NE(remarks[0].english().find("a.pfm\" 100 % of the pixels are not finite"), std::string::npos) << remarks[0].english();
+    EXPECT_NE(remarks[0].english().find("a.pfm\" 100 % of the pixels are not finite"), std::string::npos)
+        << remarks[0].english();
 }
 
 TEST_F(ReadTest, PixelsThatAreNoRadianceAreSaid) {
