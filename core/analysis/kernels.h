@@ -19,7 +19,7 @@
 
 namespace core {
 
-/// The dear, data-parallel pieces of the analysis, one virtual function each: a device may take them over. Steps reach
+/// The expensive, data-parallel parts of the analysis, one virtual function each: a device may take over. Steps reach
 /// them through their StepContext. The CPU's versions (`cpuAnalysisKernels`) are what the steps' own headers describe;
 /// they know nothing of a device and are the oracle of any other implementation, which has to
 /// - return what the CPU returns but for rounding, and the same bytes every time,

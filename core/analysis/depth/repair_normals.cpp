@@ -12,14 +12,22 @@
 namespace core::analysis {
 namespace {
 
-constexpr float kAgreement = 0.9f;        ///< cosine, about 26 degrees
-constexpr float kSettledPart = 0.3f;      ///< of the neighbours that have to agree
-constexpr int kWindow = 2;                ///< neighbours on each side, in samples of the depth map
-constexpr int kAround = 3;                ///< likewise, of which
-constexpr float kAgreeingPart = 0.6f;     ///< agree in turn where a pixel is settled
-constexpr std::array kReaches{3, 6, 12};  ///< in which settled ones are looked for, likewise
-constexpr int kMargin = 6;                ///< of settled ones that say how depth goes on, likewise
-constexpr float kLeastWeight = 2;         ///< of settled ones in such a reach
+/// Cosine from which two normals agree, about 26 degrees.
+constexpr float kAgreement = 0.9f;
+/// Minimum share of neighbours whose normals agree with a consistent one.
+constexpr float kSettledPart = 0.3f;
+/// Half-width of the window of those neighbours [depth samples].
+constexpr int kWindow = 2;
+/// Half-width of the second window [depth samples].
+constexpr int kAround = 3;
+/// Minimum share of consistent pixels in the second window.
+constexpr float kAgreeingPart = 0.6f;
+/// Half-widths of the windows in which a replacement is sought, in turn [depth samples].
+constexpr std::array kReaches{3, 6, 12};
+/// Width of the consistent margin from which depth is continued [depth samples].
+constexpr int kMargin = 6;
+/// Minimum weight of consistent pixels in a window of `kReaches`.
+constexpr float kLeastWeight = 2;
 
 }  // namespace
 
