@@ -18,13 +18,13 @@ using analysis::Step;
 /// The steps of docs/method.md, in order. A new step is a file in its room and a line here.
 const std::vector<Step>& analysisSteps() {
     static const std::vector<Step> kSteps = {
-        analysis::filterDepthStep(),    // Photo                          → Depth         3.1
-        analysis::surfaceStep(),        // Photo, Depth                   → Front         3.1
-        analysis::backSideStep(),       // Photo, Depth, Front, user depth → Back          3.2
-        analysis::depthLayersStep(),    // Photo, Front, Back             → Layers
-        analysis::reflectanceStep(),    // Photo, Front, Back, Layers     → Reflectances  3.3
-        analysis::environmentStep(),    // Photo, Depth, Reflectances, user map → Environment   3.4
-        analysis::textureDetailStep(),  // Photo, Front               → TextureDetail
+        analysis::recoverDepthStep(),    // Photo                          → Depth         3.1
+        analysis::computeNormalsStep(),  // Photo, Depth                   → Front         3.1
+        analysis::backSideStep(),        // Photo, Depth, Front, user depth → Back          3.2
+        analysis::depthLayersStep(),     // Photo, Front, Back             → Layers
+        analysis::reflectanceStep(),     // Photo, Front, Back, Layers     → Reflectances  3.3
+        analysis::environmentStep(),     // Photo, Depth, Reflectances, user map → Environment   3.4
+        analysis::textureDetailStep(),   // Photo, Front               → TextureDetail
     };
     return kSteps;
 }
@@ -71,7 +71,7 @@ std::shared_ptr<const Analysis> AnalysisPipeline::run(const Scene& scene, const 
     cache.setInput(Item::Photo, scene.photo, [](Hash& hash, const Photo& photo) {
         const Camera& c = photo.camera;
         hash.add(c.width).add(c.height).add(c.fx).add(c.fy).add(c.cx).add(c.cy);
-        hash.add(photo.color).add(photo.depth).add(photo.labels).add(photo.depthStep).add(photo.clipLevel);
+        hash.add(photo.color).add(photo.depth).add(photo.labels).add(photo.depthSampleSpacing).add(photo.clipLevel);
     });
     cache.setInput(Item::UserBackDepth, scene.backDepth, addImage);
     cache.setInput(Item::UserEnvironment, scene.environment.image, addImage);

@@ -161,8 +161,8 @@ void enlargeDepth(Photo& photo, const std::string& path, std::vector<std::string
     note(notes, "The depth in \"" + path + "\" (" + sizeText(width, height) + ") is enlarged to the colour image (" +
                     sizeText(camera.width, camera.height) + ").");
     photo.depth = upsampleDepth(photo.depth, camera.width, camera.height, &photo.color);
-    photo.depthStep = std::max({1.0f, static_cast<float>(camera.width) / static_cast<float>(width),
-                                static_cast<float>(camera.height) / static_cast<float>(height)});
+    photo.depthSampleSpacing = std::max({1.0f, static_cast<float>(camera.width) / static_cast<float>(width),
+                                         static_cast<float>(camera.height) / static_cast<float>(height)});
 }
 
 /// A wrong unit shows in the median: no photograph is of things nearer or farther than this.
