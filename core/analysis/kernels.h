@@ -19,12 +19,12 @@
 
 namespace core {
 
-/// The expensive, data-parallel parts of the analysis, one virtual function each: a device may take over. Steps reach
-/// them through their StepContext. The CPU's versions (`cpuAnalysisKernels`) are what the steps' own headers describe;
-/// they know nothing of a device and are the oracle of any other implementation, which has to
-/// - return what the CPU returns but for rounding, and the same bytes every time,
+/// The expensive, data-parallel parts of the analysis, one virtual function each, so that a device can run them. Steps
+/// reach them through their StepContext. The CPU's versions (`cpuAnalysisKernels`) are specified by the headers of the
+/// steps; they are independent of any device and serve as the reference for other implementations, which must
+/// - return the CPU's result within rounding, and the same bytes every time,
 /// - call `checkpoint` every few hundredths of a second, and let Error(Cancelled) through,
-/// - never fail for the device's sake: without memory or device it goes on on the CPU and leaves a note.
+/// - never fail because of the device: without memory or device they continue on the CPU and leave a note.
 /// One analysis at a time, on one thread.
 class AnalysisKernels {
   public:
@@ -41,7 +41,7 @@ class AnalysisKernels {
         [[nodiscard]] virtual ImageF run(const analysis::FilterPass& pass, const ImageF& inverseDepth,
                                          const Progress& progress) = 0;
     };
-    /// `color` (analysis::encodeColor) and `labels` have to outlive the result.
+    /// `color` (analysis::encodeColor) and `labels` must outlive the result.
     [[nodiscard]] virtual std::unique_ptr<DepthFilter> depthFilter(const Image<std::uint32_t>& color,
                                                                    const LabelImage& labels) = 0;
 
@@ -52,13 +52,13 @@ class AnalysisKernels {
     class RayMarcher {
       public:
         virtual ~RayMarcher() = default;
-        /// What MarchPyramid(layers, without).march says, for every ray in order. A ray whose direction is zero is none
-        /// and hits nothing.
+        /// Results of MarchPyramid(layers, without).march for every ray in order. A ray whose direction is zero hits
+        /// nothing.
         [[nodiscard]] virtual std::vector<std::optional<MarchHit>> march(std::span<const MarchRay> rays,
                                                                          std::uint16_t without,
                                                                          const Progress& progress) = 0;
     };
-    /// `layers` have to outlive the result; one at a time.
+    /// `layers` must outlive the result; one at a time.
     [[nodiscard]] virtual std::unique_ptr<RayMarcher> rayMarcher(const DepthLayers& layers) = 0;
 
     /// analysis::relaxMembrane.
@@ -68,11 +68,11 @@ class AnalysisKernels {
     /// analysis::fillShepard.
     virtual void fillShepard(const analysis::DirectionTree& tree, DirectionalMap& map, const Progress& progress) = 0;
 
-    /// What went otherwise than asked for since the last call, full sentences.
+    /// Full sentences about what did not go as requested since the last call, such as a fallback to the CPU.
     [[nodiscard]] virtual Notes takeNotes() { return {}; }
 };
 
-/// Everything on the CPU, on all cores. Holds nothing: any number of analyses may use it at once.
+/// Everything on the CPU, on all cores. Stateless: any number of analyses may use it at once.
 [[nodiscard]] AnalysisKernels& cpuAnalysisKernels();
 
 }  // namespace core

@@ -18,13 +18,13 @@ using analysis::Step;
 /// The steps of docs/method.md, in order. A new step is a file in its room and a line here.
 const std::vector<Step>& analysisSteps() {
     static const std::vector<Step> kSteps = {
-        analysis::filterDepthStep(),    // Photo                          → Depth         3.1
-        analysis::surfaceStep(),        // Photo, Depth                   → Front         3.1
-        analysis::backSideStep(),       // Photo, Depth, Front, user depth → Back          3.2
-        analysis::depthLayersStep(),    // Photo, Front, Back             → Layers
-        analysis::reflectanceStep(),    // Photo, Front, Back, Layers     → Reflectances  3.3
-        analysis::environmentStep(),    // Photo, Depth, Reflectances, user map → Environment   3.4
-        analysis::textureDetailStep(),  // Photo, Front               → TextureDetail
+        analysis::recoverDepthStep(),    // Photo → Depth
+        analysis::computeNormalsStep(),  // Photo, Depth → Front
+        analysis::backSideStep(),        // Photo, Depth, Front, user's depth → Back
+        analysis::depthLayersStep(),     // Photo, Front, Back → Layers
+        analysis::reflectanceStep(),     // Photo, Front, Back, Layers → Reflectances
+        analysis::environmentStep(),     // Photo, Depth, Reflectances, user's map → Environment
+        analysis::textureDetailStep(),   // Photo, Front → TextureDetail
     };
     return kSteps;
 }
@@ -36,7 +36,7 @@ struct AnalysisPipeline::Cache {
     std::map<Item, std::uint64_t> itemKeys;  ///< content of what is on the board
     AnalysisPipeline::RunCounts runs;
 
-    /// Content of an input image by its address, held so that the address cannot come to mean another image.
+    /// Content of an input image by its address; holding the image keeps the address from being reused.
     struct Input {
         std::shared_ptr<const void> image;
         std::uint64_t key = 0;
@@ -72,13 +72,13 @@ std::shared_ptr<const Analysis> AnalysisPipeline::run(const Scene& scene, const 
     cache.setInput(Item::Photo, scene.photo, [](Hash& hash, const Photo& photo) {
         const Camera& c = photo.camera;
         hash.add(c.width).add(c.height).add(c.fx).add(c.fy).add(c.cx).add(c.cy);
-        hash.add(photo.color).add(photo.depth).add(photo.labels).add(photo.depthStep).add(photo.clipLevel);
+        hash.add(photo.color).add(photo.depth).add(photo.labels).add(photo.depthSampleSpacing).add(photo.clipLevel);
     });
     cache.setInput(Item::UserBackDepth, scene.backDepth, addImage);
     cache.setInput(Item::UserEnvironment, scene.environment.image, addImage);
 
-    // Keys say what a result is made from, not who computes it: the kernels are twins that agree within
-    // rounding (core/analysis/kernels.h), so a result of one stays valid when the next run is given another.
+    // Keys identify what a result is made from, not the kernels that compute it: these agree within rounding
+    // (core/analysis/kernels.h), so a result stays valid when the next run uses others.
     Board& board = cache.board;
     board.scene = &scene;
     for (const Step& step : analysisSteps()) {

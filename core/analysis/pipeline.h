@@ -11,8 +11,8 @@
 
 namespace core {
 
-/// Runs the analysis steps (listed in pipeline.cpp) and keeps their results by the hash of
-/// each step's inputs and parameters, so that a second run recomputes only what changed. One thread at a time.
+/// Runs the analysis steps (listed in pipeline.cpp). Keeps their results by the hash of each step's inputs and
+/// parameters, so that a second run recomputes only what changed. One thread at a time.
 class AnalysisPipeline {
   public:
     AnalysisPipeline();
@@ -25,7 +25,7 @@ class AnalysisPipeline {
     [[nodiscard]] std::shared_ptr<const Analysis> run(const Scene& scene, const Progress& progress = {},
                                                       AnalysisKernels& kernels = cpuAnalysisKernels());
 
-    /// How often each step has run: shows what a change recomputed.
+    /// Number of times each step has run: shows what a change recomputed.
     using RunCounts = std::map<Task, int>;
     [[nodiscard]] const RunCounts& runCounts() const;
 

@@ -19,7 +19,7 @@
 
 namespace core::analysis {
 
-/// Content hash of what a step reads; 64 bits, not cryptographic.
+/// Content hash of the inputs of a step; 64 bits, not cryptographic.
 class Hash {
   public:
     template <class T>
@@ -57,7 +57,7 @@ class Hash {
 Hash& addParams(Hash& hash, Stage stage, const Scene& scene);
 Hash& addParams(Hash& hash, Stage stage, const Segment& segment);
 
-/// What steps exchange. The first row comes with the scene, the second is computed.
+/// What steps exchange. The first three come with the scene, the others are computed.
 enum class Item {
     Photo,
     UserBackDepth,
@@ -72,11 +72,12 @@ enum class Item {
     Count
 };
 
-/// Depth after the filter.
-struct FilteredDepth {
+/// Depth as all later steps use it.
+struct RecoveredDepth {
     ImageF depth;                 ///< planar z [m], 0 = none
     Image<std::uint8_t> distant;  ///< 1 = shows distant light (`findDistantPixels`)
-    float relativeNoise = 0;      ///< standard deviation of the measured depth divided by it, estimated from the photo
+    /// Estimated standard deviation of the depth divided by it; 0 = exact.
+    float relativeNoise = 0;
     std::map<std::uint16_t, float> smoothing;  ///< [px] by label, as Analysis::smoothing
 };
 
@@ -97,12 +98,13 @@ struct CachedReflectance {
 /// Everything computed so far. A step reads and writes only what it declares.
 struct Board {
     const Scene* scene = nullptr;
-    std::shared_ptr<const FilteredDepth> depth;
+    std::shared_ptr<const RecoveredDepth> depth;
     std::shared_ptr<const Surface> front;
     std::shared_ptr<const BackLayer> back;
     std::shared_ptr<const DepthLayers> layers;
-    std::vector<std::shared_ptr<const Reflectance>> reflectances;        ///< Item::Reflectances, both
-    std::vector<std::shared_ptr<const SegmentReflections>> reflections;  ///< what they came from
+    // Item::Reflectances is both of these.
+    std::vector<std::shared_ptr<const Reflectance>> reflectances;
+    std::vector<std::shared_ptr<const SegmentReflections>> reflections;  ///< what they were estimated from
     std::shared_ptr<const DirectionalMap> environment;
     std::shared_ptr<const ImageF> textureDetail;
 
@@ -115,17 +117,25 @@ struct Step {
     Task task = Task::Working;
     std::vector<Item> reads;
     Item writes = Item::Count;
-    void (*params)(const Scene&, Hash&) = nullptr;  ///< adds all parameters of the scene that matter to it
-    /// Computes; writes its item last, so that a stop leaves the old one.
+    /// Adds all parameters of the scene that affect the result.
+    void (*params)(const Scene&, Hash&) = nullptr;
+    /// Computes the result and writes its item last, so that cancelling keeps the old one.
     void (*run)(Board&, const StepContext&) = nullptr;
 };
 
-Step filterDepthStep();  ///< Photo → Depth: joint bilateral filter, small holes (docs/method.md#depth)
-Step surfaceStep();      ///< Depth → Front: normals, positions, patch areas (docs/method.md#depth)
-Step backSideStep();     ///< Front → Back: the unseen side (docs/method.md#back-side)
-Step depthLayersStep();  ///< Front, Back → Layers: what rays march through
-Step reflectanceStep();  ///< Layers → Reflectances: L_S, L_G and ρ of every glossy segment (docs/method.md#reflectance)
-Step environmentStep();    ///< Reflectances → Environment (docs/method.md#environment)
-Step textureDetailStep();  ///< Front → TextureDetail: the photograph's texture apart from its shading
+/// Photo → Depth: filtered, filled and smoothed (docs/method.md#depth).
+Step recoverDepthStep();
+/// Depth → Front: normals, positions, patch areas (docs/method.md#depth).
+Step computeNormalsStep();
+/// Front → Back: the unseen side (docs/method.md#back-side).
+Step backSideStep();
+/// Front, Back → Layers: what rays march through.
+Step depthLayersStep();
+/// Layers → Reflectances: L_S, L_G and ρ of every glossy segment (docs/method.md#reflectance).
+Step reflectanceStep();
+/// Reflectances → Environment (docs/method.md#environment).
+Step environmentStep();
+/// Front → TextureDetail: the photograph's texture apart from its shading.
+Step textureDetailStep();
 
 }  // namespace core::analysis

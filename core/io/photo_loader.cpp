@@ -179,8 +179,8 @@ void enlargeDepth(Photo& photo, const std::string& path, Notes* notes, const Pro
     note(notes, Message("messages", "The depth in \"%1\" (%2) is enlarged to the colour image (%3).")
                     .with(path, sizeText(width, height), sizeText(camera.width, camera.height)));
     photo.depth = upsampleDepth(photo.depth, camera.width, camera.height, &photo.color, progress);
-    photo.depthStep = std::max({1.0f, static_cast<float>(camera.width) / static_cast<float>(width),
-                                static_cast<float>(camera.height) / static_cast<float>(height)});
+    photo.depthSampleSpacing = std::max({1.0f, static_cast<float>(camera.width) / static_cast<float>(width),
+                                         static_cast<float>(camera.height) / static_cast<float>(height)});
 }
 
 /// A wrong unit shows in the median depth, which lies outside the range of any photograph.

@@ -46,7 +46,7 @@ struct Photo {
     LabelImage labels;  ///< 0 = no segment
     /// Photograph pixels per pixel of the stored depth map, ≥ 1; more than 1 when a smaller map was enlarged: its noise
     /// is smooth over that many pixels.
-    float depthStep = 1;
+    float depthSampleSpacing = 1;
     /// Radiance at and above which the camera clipped; infinite for floating-point photographs.
     float clipLevel = std::numeric_limits<float>::infinity();
 };

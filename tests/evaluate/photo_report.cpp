@@ -65,7 +65,7 @@ std::shared_ptr<core::Photo> reduced(const core::Photo& photo, int factor) {
     camera.fx *= scale, camera.fy *= scale, camera.cx *= scale, camera.cy *= scale;
     small->source = photo.source;
     small->clipLevel = photo.clipLevel;
-    small->depthStep = std::max(photo.depthStep * scale, 1.0f);
+    small->depthSampleSpacing = std::max(photo.depthSampleSpacing * scale, 1.0f);
     small->color = ImageRgb(camera.width, camera.height);
     small->depth = core::ImageF(camera.width, camera.height);
     small->labels = core::LabelImage(camera.width, camera.height);

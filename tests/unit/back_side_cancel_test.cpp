@@ -17,8 +17,8 @@ TEST(BackSideCancel, StopsAtTheNextCheckpointAndLeavesTheOldBack) {
     const core::Scene scene = test::stillLife(test::testCamera(240, 180)).scene();
     core::analysis::Board board;
     board.scene = &scene;
-    core::analysis::filterDepthStep().run(board, {});
-    core::analysis::surfaceStep().run(board, {});
+    core::analysis::recoverDepthStep().run(board, {});
+    core::analysis::computeNormalsStep().run(board, {});
     const core::analysis::Step step = core::analysis::backSideStep();
     std::atomic<int> checkpoints = 0;
     step.run(board, {core::Progress([&](core::Task, float) { ++checkpoints; })});

@@ -12,9 +12,10 @@
 #include <numbers>
 #include <random>
 
-#include "core/analysis/depth/filter_depth.h"
+#include "core/analysis/depth/depth_noise.h"
 #include "core/analysis/depth/normals.h"
 #include "core/analysis/depth/upsample_depth.h"
+#include "core/analysis/step.h"
 #include "core/io/image_io.h"
 #include "core/io/image_reader.h"
 #include "tests/support/ray_scene.h"
@@ -78,8 +79,8 @@ ImageV3 analysedNormals(const core::Photo& photo, bool filter) {
     scene.depthFilter.enabled = filter;
     core::analysis::Board board;
     board.scene = &scene;
-    core::analysis::filterDepthStep().run(board, {});
-    core::analysis::surfaceStep().run(board, {});
+    core::analysis::recoverDepthStep().run(board, {});
+    core::analysis::computeNormalsStep().run(board, {});
     return board.front->normal;
 }
 
@@ -139,7 +140,7 @@ core::Photo withEnlargedTerraces(int width, int height, float factor) {
     photo.depth = core::upsampleDepth(map, width, height, &photo.color);
     for (std::size_t i = 0; i < photo.labels.size(); ++i)
         if (photo.labels[i] == 0) photo.depth[i] = 0;
-    photo.depthStep = factor;
+    photo.depthSampleSpacing = factor;
     return photo;
 }
 
@@ -227,8 +228,8 @@ TEST(DepthNoise, AreasOfANoisySquareAddUp) {
     input.photo = std::make_shared<core::Photo>(photo);
     core::analysis::Board board;
     board.scene = &input;
-    core::analysis::filterDepthStep().run(board, {});
-    core::analysis::surfaceStep().run(board, {});
+    core::analysis::recoverDepthStep().run(board, {});
+    core::analysis::computeNormalsStep().run(board, {});
     double sum = 0;
     for (const float a : board.front->area.pixels()) sum += static_cast<double>(a);
     EXPECT_NEAR(sum, 0.16, 0.02 * 0.16);

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/analysis/depth/filter_depth.h"
+#include "core/analysis/depth/fill_depth.h"
 #include "tests/support/ray_scene.h"
 #include "tests/support/sensor_noise.h"
 
@@ -60,7 +60,7 @@ double wrongPart(const ImageF& depth, const ImageF& truth, const core::LabelImag
 double wrongPartAfterRemoval(ImageF depth, const ImageF& truth, const core::LabelImage& labels,
                              const core::Camera& camera, float limit, float pixelsPerSample = 1) {
     core::analysis::removeFlyingPixels(depth, labels, camera, pixelsPerSample, {});
-    core::analysis::completeSegments(depth, labels);
+    core::analysis::fillWithMembrane(depth, labels);
     return wrongPart(depth, truth, labels, limit);
 }
 
@@ -128,7 +128,7 @@ TEST(FlyingPixels, AGenerousOutlineTakesNoBackgroundIn) {
                         generous(x, y) = photo.labels(x + dx, y + dy);
     ImageF depth = photo.depth;
     core::analysis::removeFlyingPixels(depth, generous, photo.camera, 1, {});
-    core::analysis::completeSegments(depth, generous);
+    core::analysis::fillWithMembrane(depth, generous);
     for (std::size_t i = 0; i < depth.size(); ++i) {
         if (generous[i] > 1) {
             EXPECT_LT(depth[i], 1.3f) << "the wall is 2 m away";

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/analysis/depth/fill_depth.h"
 #include "core/analysis/depth/filter_depth.h"
 #include "core/analysis/depth/normals.h"
 #include "tests/support/ray_scene.h"
@@ -191,7 +192,7 @@ struct FilterTest : testing::Test {
         for (std::size_t i = 0; i < flat.deviation.sigma.size(); ++i)
             flat.deviation.sigma[i] = noise * static_cast<float>(i);
         flat.relative = noise;
-        return core::analysis::filterDepth(depth, photo.color, photo.labels, photo.camera, params, flat, 1, {});
+        return core::analysis::filterDepth(depth, photo, params, flat, {});
     }
     static float estimateNoise(const ImageF& depth, const core::LabelImage& labels) {
         return core::analysis::estimateDepthNoise(core::analysis::inverseOf(depth), labels, 1, {}).relative;

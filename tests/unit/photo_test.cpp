@@ -57,10 +57,10 @@ TEST_F(PhotoTest, ClipsWhereItsLargestCodeIs) {
 }
 
 TEST_F(PhotoTest, KnowsHowFarItsDepthWasEnlarged) {
-    EXPECT_EQ(create("color.pfm", "depth.pfm", 1).photo->depthStep, 1);
+    EXPECT_EQ(create("color.pfm", "depth.pfm", 1).photo->depthSampleSpacing, 1);
     test::writePfm(folder / "half.pfm", 2, 1, 1, {2, 2});
     const core::Scene enlarged = create("color.pfm", "half.pfm", 1);
-    EXPECT_EQ(enlarged.photo->depthStep, 2);
+    EXPECT_EQ(enlarged.photo->depthSampleSpacing, 2);
     EXPECT_TRUE(enlarged.photo->depth.sameSize(enlarged.photo->color));
     EXPECT_THAT(core::english(notes), Contains(HasSubstr("enlarged")));
 }

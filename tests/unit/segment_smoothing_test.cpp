@@ -45,15 +45,15 @@ core::Scene bumpyWall() {
 core::ImageF depthOf(const core::Scene& scene) {
     core::analysis::Board board;
     board.scene = &scene;
-    core::analysis::filterDepthStep().run(board, {});
+    core::analysis::recoverDepthStep().run(board, {});
     return board.depth->depth;
 }
 
 core::ImageV3 normalsOf(const core::Scene& scene) {
     core::analysis::Board board;
     board.scene = &scene;
-    core::analysis::filterDepthStep().run(board, {});
-    core::analysis::surfaceStep().run(board, {});
+    core::analysis::recoverDepthStep().run(board, {});
+    core::analysis::computeNormalsStep().run(board, {});
     return board.front->normal;
 }
 

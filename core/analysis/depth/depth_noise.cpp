@@ -8,24 +8,23 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/base/staged_progress.h"
+#include "core/base/statistics.h"
 
 namespace core::analysis {
 namespace {
 
+/// Number of spacings at which noise is measured, and that in maps that were enlarged smoothly: these are never exact
+/// and may have been enlarged before they were stored, too.
 constexpr std::size_t kScales = 5;
-constexpr std::size_t kEnlargedScales = 6;  ///< maps that are not exact anyway may have been enlarged before, too
-constexpr float kExact = 2e-6f;  ///< relative deviation below which depth counts as exact: rounding of floats
+constexpr std::size_t kEnlargedScales = 6;
+/// Relative deviation below which depth counts as exact: rounding of floats.
+constexpr float kMaxExact = 2e-6f;
 
-/// From the median magnitude of differences to the σ of uncorrelated values: median |x| = 0.6745 σ, and the squares of
-/// the weights add up to 6 and 70.
+/// Factor from the median magnitude of differences to the σ of uncorrelated values: median |x| = 0.6745 σ, and the
+/// squares of the weights add up to 6 and 70.
 float deviationOfDifference(Differences order) {
     return 1 / (0.6745f * std::sqrt(order == Differences::Second ? 6.0f : 70.0f));
-}
-
-float quantile(std::vector<float>& values, double q) {
-    const auto rank = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-    std::ranges::nth_element(values, rank);
-    return *rank;
 }
 
 struct Block {
@@ -33,54 +32,60 @@ struct Block {
     float sigma;
 };
 
+/// Differences of inverse depth at one spacing.
+struct DifferenceTap {
+    const ImageF& w;
+    const LabelImage& labels;
+    int step;  ///< [px]
+    Differences order;
+
+    /// Magnitude of the difference about a valid pixel along an axis (0 = x, 1 = y), inside one segment.
+    [[nodiscard]] std::optional<float> at(int x, int y, int axis) const {
+        constexpr float kSecond[] = {-2, 1};
+        constexpr float kFourth[] = {6, -4, 1};
+        const int reach = order == Differences::Second ? 1 : 2;
+        const float* const weights = order == Differences::Second ? kSecond : kFourth;
+        const int dx = axis == 0 ? step : 0;
+        const int dy = axis == 0 ? 0 : step;
+        if (!w.contains(x - reach * dx, y - reach * dy) || !w.contains(x + reach * dx, y + reach * dy))
+            return std::nullopt;
+        float sum = weights[0] * w(x, y);
+        bool valid = true;
+        for (int k = 1; k <= reach; ++k) {
+            for (const int side : {-k, k}) {
+                const float value = w(x + side * dx, y + side * dy);
+                valid = valid && value > 0 && labels(x + side * dx, y + side * dy) == labels(x, y);
+                sum += weights[k] * value;
+            }
+        }
+        return valid ? std::optional(std::abs(sum)) : std::nullopt;
+    }
+};
+
 /// Median difference of one block.
-std::optional<Block> measureBlock(const ImageF& w, const LabelImage& labels, int x0, int y0, int size, int step,
-                                  Differences order) {
-    const int reach = order == Differences::Second ? 1 : 2;
-    constexpr float kSecond[] = {-2, 1};
-    constexpr float kFourth[] = {6, -4, 1};
-    const float* const weights = order == Differences::Second ? kSecond : kFourth;
+std::optional<Block> measureBlock(const DifferenceTap& difference, int x0, int y0, int size) {
     constexpr int kGrid = 8;
-    constexpr std::size_t kFewest = 24;
+    constexpr std::size_t kMinDifferences = 24;
+    const ImageF& w = difference.w;
     std::array<float, 2 * kGrid * kGrid> differences;
     std::array<float, kGrid * kGrid> levels;
     std::size_t count = 0;
     std::size_t levelCount = 0;
     for (int j = 0; j < kGrid; ++j) {
         for (int i = 0; i < kGrid; ++i) {
-            // Odd offsets: a regular grid could keep in step with a pattern of quantisation.
+            // Irregular offsets: a regular grid could be in phase with a pattern of quantisation.
             const int x = x0 + i * size / kGrid + (j * 5) % std::max(size / kGrid, 1);
             const int y = y0 + j * size / kGrid + (i * 3) % std::max(size / kGrid, 1);
             if (!w.contains(x, y) || w(x, y) <= 0) continue;
-            bool used = false;
-            for (int axis = 0; axis < 2; ++axis) {
-                const int dx = axis == 0 ? step : 0;
-                const int dy = axis == 0 ? 0 : step;
-                if (!w.contains(x - reach * dx, y - reach * dy) || !w.contains(x + reach * dx, y + reach * dy))
-                    continue;
-                float sum = weights[0] * w(x, y);
-                bool valid = true;
-                for (int k = 1; k <= reach; ++k) {
-                    for (const int side : {-k, k}) {
-                        const float value = w(x + side * dx, y + side * dy);
-                        valid = valid && value > 0 && labels(x + side * dx, y + side * dy) == labels(x, y);
-                        sum += weights[k] * value;
-                    }
-                }
-                if (!valid) continue;
-                differences[count++] = std::abs(sum);
-                used = true;
-            }
-            if (used) levels[levelCount++] = w(x, y);
+            const std::size_t before = count;
+            for (int axis = 0; axis < 2; ++axis)
+                if (const auto value = difference.at(x, y, axis)) differences[count++] = *value;
+            if (count > before) levels[levelCount++] = w(x, y);
         }
     }
-    if (count < kFewest) return std::nullopt;
-    const auto middle = [](auto& values, std::size_t n) {
-        const auto at = values.begin() + static_cast<std::ptrdiff_t>(n / 2);
-        std::nth_element(values.begin(), at, values.begin() + static_cast<std::ptrdiff_t>(n));
-        return *at;
-    };
-    return Block{middle(levels, levelCount), middle(differences, count) * deviationOfDifference(order)};
+    if (count < kMinDifferences) return std::nullopt;
+    return Block{median(std::span(levels).first(levelCount)),
+                 median(std::span(differences).first(count)) * deviationOfDifference(difference.order)};
 }
 
 struct Range {
@@ -109,9 +114,8 @@ float cellCentre(const NoiseCurve& curve, std::size_t cell) {
     return curve.first + static_cast<float>(cell) / curve.cellsPerUnit;
 }
 
-/// Whether depth changes in steps of about `quantum` where it changes: the rows of an exact floor have one value each
-/// too, but follow each other smoothly. `same`: relative difference of values that count as equal.
-bool hasStairs(const ImageF& w, int step, bool resampled, const NoiseCurve& quantum, float same) {
+/// Second differences of inverse depth [quanta] wherever it changes by more than `same` (relative).
+std::vector<float> bendsOf(const ImageF& w, int step, const NoiseCurve& quantum, float same) {
     std::vector<float> bends;
     const int stride = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(w.size()) / 50000)));
     for (int y = step; y + step < w.height(); y += stride) {
@@ -125,15 +129,22 @@ bool hasStairs(const ImageF& w, int step, bool resampled, const NoiseCurve& quan
             }
         }
     }
+    return bends;
+}
+
+/// Whether depth changes in steps of about `quantum` where it changes: the rows of an exact floor have one value each
+/// too, but follow each other smoothly. `same`: relative difference of values that count as equal.
+bool hasStairs(const ImageF& w, int step, bool resampled, const NoiseCurve& quantum, float same) {
+    std::vector<float> bends = bendsOf(w, step, quantum, same);
     if (bends.empty()) return false;
     // Splines that resample a map bend by a sixth of a step where it begins.
     if (quantile(bends, 0.5) > (resampled ? 0.1f : 0.2f)) return true;
-    // Where depth is steep most steps follow each other evenly; the others are off by whole ones.
-    constexpr float kStraight = 0.05f;
-    constexpr float kMost = 4.5f;
+    // Where depth is steep most steps follow each other evenly; the others deviate by whole steps.
+    constexpr float kMinBend = 0.05f;
+    constexpr float kMaxBend = 4.5f;
     std::size_t bent = 0, whole = 0;
     for (const float bend : bends) {
-        if (bend < kStraight || bend > kMost) continue;
+        if (bend < kMinBend || bend > kMaxBend) continue;
         ++bent;
         if (bend > 0.5f && std::abs(bend - std::round(bend)) < 0.15f) ++whole;
     }
@@ -155,10 +166,11 @@ std::vector<StoredValue> countValues(std::span<const float> sorted, float same) 
     return result;
 }
 
-/// The values that a coarser rounding left, when smoothing or stretching after it made the others: every k-th one, each
-/// more than twice as frequent as those beside it, and most pixels have one of them. Empty when it is not so.
+/// Values that survive from a coarser rounding when later smoothing or stretching made the others: every k-th one, each
+/// more than twice as frequent as its neighbours, and together most of the pixels. Empty when there was no such
+/// rounding.
 std::vector<StoredValue> coarseValues(std::span<const StoredValue> all) {
-    constexpr std::size_t kFewest = 8;
+    constexpr std::size_t kMinPeaks = 8;
     std::vector<std::size_t> peaks;
     std::size_t held = 0, total = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -169,18 +181,17 @@ std::vector<StoredValue> coarseValues(std::span<const StoredValue> all) {
         peaks.push_back(i);
         held += all[i].count;
     }
-    if (peaks.size() < kFewest || held * 2 < total) return {};
+    if (peaks.size() < kMinPeaks || held * 2 < total) return {};
     std::vector<std::size_t> apart;
     for (std::size_t k = 1; k < peaks.size(); ++k) apart.push_back(peaks[k] - peaks[k - 1]);
-    const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
-    std::ranges::nth_element(apart, middle);
-    if (static_cast<std::size_t>(std::ranges::count(apart, *middle)) * 3 < apart.size() * 2) return {};
+    const std::size_t usual = median(apart);
+    if (static_cast<std::size_t>(std::ranges::count(apart, usual)) * 3 < apart.size() * 2) return {};
     std::vector<StoredValue> result;
     for (const std::size_t i : peaks) result.push_back(all[i]);
     return result;
 }
 
-/// Gives cells where relief hid the noise that of the nearest cell that tells, relative to inverse depth.
+/// Gives cells where relief hid the noise the value of the nearest known cell, relative to inverse depth.
 void extendToUnknown(NoiseCurve& curve) {
     const NoiseCurve known = curve;
     for (std::size_t cell = 0; cell < known.sigma.size(); ++cell) {
@@ -192,23 +203,52 @@ void extendToUnknown(NoiseCurve& curve) {
     }
 }
 
-/// Distance between neighbouring stored values over inverse depth. In an enlarged map these are the values that occur
-/// often, since interpolation adds others in between; so does resampling of values that were rounded before. Zero when
-/// nearly every pixel has a value of its own, and when the values are so far apart that they are separate surfaces.
-NoiseCurve quantisation(const ImageF& w, float pixelsPerSample, int base, const Range& range) {
-    const bool enlarged = pixelsPerSample > 1;
-    const float same = enlarged ? 1e-5f : 0;  // relative; rounding of floats
-    NoiseCurve curve = curveOver(range);
+/// Some of the valid inverse depths, in increasing order.
+std::vector<float> sortedSubset(const ImageF& w) {
     std::vector<float> values;
     const std::size_t stride = w.size() / 200000 + 1;
     for (std::size_t i = 0; i < w.size(); i += stride)
         if (w[i] > 0) values.push_back(w[i]);
     std::ranges::sort(values);
+    return values;
+}
+
+/// Median distance between neighbouring values of a sorted list, by inverse depth. Where cells hold too few of them,
+/// and in `relative`, the median over all of the distance relative to inverse depth.
+struct Spacing {
+    NoiseCurve curve;
+    float relative = 0;
+};
+
+Spacing spacingOf(std::span<const float> stored, const NoiseCurve& cells) {
+    std::array<std::vector<float>, NoiseCurve::kCells> gaps;
+    std::vector<float> relative;
+    for (std::size_t i = 1; i < stored.size(); ++i) {
+        const auto cell = static_cast<std::size_t>(
+            std::clamp((stored[i] - cells.first) * cells.cellsPerUnit + 0.5f, 0.0f, NoiseCurve::kCells - 1.0f));
+        gaps[cell].push_back(stored[i] - stored[i - 1]);
+        relative.push_back((stored[i] - stored[i - 1]) / stored[i]);
+    }
+    Spacing spacing{cells, quantile(relative, 0.5)};
+    for (std::size_t cell = 0; cell < gaps.size(); ++cell)
+        spacing.curve.sigma[cell] =
+            gaps[cell].size() < 3 ? spacing.relative * cellCentre(cells, cell) : quantile(gaps[cell], 0.5);
+    return spacing;
+}
+
+/// Distance between neighbouring stored values over inverse depth. In an enlarged map these are the values that occur
+/// often, since interpolation adds others in between; the same holds when rounded values were resampled before. Zero
+/// when nearly every pixel has a value of its own, and when the values are so far apart that they are separate
+/// surfaces.
+NoiseCurve quantisation(const ImageF& w, bool enlarged, int spacing, const Range& range) {
+    const float same = enlarged ? 1e-5f : 0;  // relative; rounding of floats
+    const NoiseCurve none = curveOver(range);
+    const std::vector<float> values = sortedSubset(w);
     const std::size_t often = enlarged ? std::max<std::size_t>(4, values.size() / 4000) : 1;
     const std::vector<StoredValue> all = countValues(values, same);
     const auto coarse = coarseValues(all);
     const bool resampled = enlarged || !coarse.empty();
-    const float largest = coarse.empty() ? 0.02f : 0.1f;  // relative
+    const float maxRelative = coarse.empty() ? 0.02f : 0.1f;
     std::vector<float> stored;
     std::size_t held = 0;
     for (const auto& [value, count] : coarse.empty() ? all : coarse) {
@@ -216,43 +256,14 @@ NoiseCurve quantisation(const ImageF& w, float pixelsPerSample, int base, const 
         stored.push_back(value);
         held += count;
     }
-    if (stored.size() < 3 || stored.size() * 4 > held || held * 5 < values.size() * 2) return curve;
-    std::array<std::vector<float>, NoiseCurve::kCells> gaps;
-    std::vector<float> steps;  // relative
-    for (std::size_t i = 1; i < stored.size(); ++i) {
-        const auto cell = static_cast<std::size_t>(
-            std::clamp((stored[i] - curve.first) * curve.cellsPerUnit + 0.5f, 0.0f, NoiseCurve::kCells - 1.0f));
-        gaps[cell].push_back(stored[i] - stored[i - 1]);
-        steps.push_back((stored[i] - stored[i - 1]) / stored[i]);
-    }
-    const float relative = quantile(steps, 0.5);
-    if (relative > largest) return curve;
-    NoiseCurve quantum = curve;
-    for (std::size_t cell = 0; cell < gaps.size(); ++cell)
-        quantum.sigma[cell] = gaps[cell].size() < 3 ? relative * cellCentre(curve, cell) : quantile(gaps[cell], 0.5);
-    return hasStairs(w, base, resampled, quantum, same) ? quantum : curve;
+    if (stored.size() < 3 || stored.size() * 4 > held || held * 5 < values.size() * 2) return none;
+    const Spacing quantum = spacingOf(stored, none);
+    if (quantum.relative > maxRelative) return none;
+    return hasStairs(w, spacing, resampled, quantum.curve, same) ? quantum.curve : none;
 }
 
-NoiseCurve measureNoise(const ImageF& w, const LabelImage& labels, int step, Differences order, const Range& range,
-                        const Progress& progress) {
-    NoiseCurve curve = curveOver(range);
-    const int size = 32 * std::max(1, step / 16);
-    const int columns = (w.width() + size - 1) / size;
-    const int rows = (w.height() + size - 1) / size;
-    const int skip = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(columns) * rows / 2500)));
-    std::vector<std::optional<Block>> found(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-    parallelFor(progress, (rows + skip - 1) / skip, [&](int j) {
-        for (int i = 0; i < columns; i += skip)
-            found[static_cast<std::size_t>(j * skip) * static_cast<std::size_t>(columns) +
-                  static_cast<std::size_t>(i)] = measureBlock(w, labels, i * size, j * skip * size, size, step, order);
-    });
-    std::vector<Block> blocks;
-    for (const auto& block : found)
-        if (block) blocks.push_back(*block);
-    if (blocks.empty()) return curve;
-    std::ranges::sort(blocks, {}, &Block::inverseDepth);
-
-    // The smoothest fifth of the blocks at similar depth.
+/// Noise of blocks sorted by inverse depth: in each bin, that of the smoothest fifth.
+std::vector<Block> noiseByDepth(std::span<const Block> blocks) {
     const std::size_t bins = std::clamp<std::size_t>(blocks.size() / 24, 1, 8);
     std::vector<Block> knots;
     for (std::size_t bin = 0; bin < bins; ++bin) {
@@ -263,12 +274,16 @@ NoiseCurve measureNoise(const ImageF& w, const LabelImage& labels, int step, Dif
         knots.push_back({blocks[(from + to) / 2].inverseDepth, quantile(sigmas, 0.2)});
     }
     // Noise changes slowly with depth: a bin with nothing smooth in it follows its neighbours.
-    constexpr float kGrowth = 1.6f;
+    constexpr float kMaxGrowth = 1.6f;
     for (std::size_t i = 1; i < knots.size(); ++i)
-        knots[i].sigma = std::min(knots[i].sigma, kGrowth * knots[i - 1].sigma);
+        knots[i].sigma = std::min(knots[i].sigma, kMaxGrowth * knots[i - 1].sigma);
     for (std::size_t i = knots.size() - 1; i-- > 0;)
-        knots[i].sigma = std::min(knots[i].sigma, kGrowth * knots[i + 1].sigma);
+        knots[i].sigma = std::min(knots[i].sigma, kMaxGrowth * knots[i + 1].sigma);
+    return knots;
+}
 
+/// Interpolates linearly between knots, which are sorted.
+void interpolate(std::span<const Block> knots, NoiseCurve& curve) {
     std::size_t next = 0;
     for (std::size_t cell = 0; cell < curve.sigma.size(); ++cell) {
         const float x = cellCentre(curve, cell);
@@ -284,10 +299,58 @@ NoiseCurve measureNoise(const ImageF& w, const LabelImage& labels, int step, Dif
             curve.sigma[cell] = (1 - t) * a.sigma + t * b.sigma;
         }
     }
+}
+
+NoiseCurve measureNoise(const DifferenceTap& difference, const Range& range, const Progress& progress) {
+    const ImageF& w = difference.w;
+    NoiseCurve curve = curveOver(range);
+    const int size = 32 * std::max(1, difference.step / 16);
+    const int columns = (w.width() + size - 1) / size;
+    const int rows = (w.height() + size - 1) / size;
+    const int skip = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(columns) * rows / 2500)));
+    std::vector<std::optional<Block>> found(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    parallelFor(progress, (rows + skip - 1) / skip, [&](int j) {
+        for (int i = 0; i < columns; i += skip)
+            found[static_cast<std::size_t>(j * skip) * static_cast<std::size_t>(columns) +
+                  static_cast<std::size_t>(i)] = measureBlock(difference, i * size, j * skip * size, size);
+    });
+    std::vector<Block> blocks;
+    for (const auto& block : found)
+        if (block) blocks.push_back(*block);
+    if (blocks.empty()) return curve;
+    std::ranges::sort(blocks, {}, &Block::inverseDepth);
+    interpolate(noiseByDepth(blocks), curve);
     return curve;
 }
 
+/// Noise in one cell of a curve: the level at which its differences stop growing with the spacing, and rounding.
+struct CellLevel {
+    float plateau = 0;      ///< [1/m] 0 = none
+    float rounding = 0;     ///< [1/m] 0 = none
+    bool terraced = false;  ///< terraces are wider than the spacing: differences show only where they end
+};
+
+CellLevel levelOf(std::span<const NoiseCurve> scales, std::size_t cell, float quantum, float exact) {
+    CellLevel level;
+    float highest = scales[0].sigma[cell];
+    for (std::size_t k = 1; k < scales.size(); ++k) {
+        const float before = scales[k - 1].sigma[cell];
+        const float here = scales[k].sigma[cell];
+        if (here <= 0) break;
+        highest = std::max(highest, here);
+        if (here < 2 * before) level.plateau = highest;
+    }
+    if (scales[1].sigma[cell] <= 0) level.plateau = highest;  // too small a picture to compare scales
+    if (level.plateau < exact) level.plateau = 0;
+    level.rounding = quantum / std::sqrt(12.0f);
+    if (level.rounding < exact) level.rounding = 0;
+    level.terraced = scales[0].sigma[cell] < 0.5f * level.rounding;
+    return level;
+}
+
 }  // namespace
+
+int wholeSpacing(float depthSampleSpacing) { return std::max(1, static_cast<int>(std::lround(depthSampleSpacing))); }
 
 ImageF inverseOf(const ImageF& depth) {
     ImageF inverse(depth.width(), depth.height());
@@ -298,7 +361,7 @@ ImageF inverseOf(const ImageF& depth) {
 
 NoiseCurve measureNoise(const ImageF& inverseDepth, const LabelImage& labels, int step, Differences order,
                         const Progress& progress) {
-    return measureNoise(inverseDepth, labels, step, order, rangeOf(inverseDepth), progress);
+    return measureNoise({inverseDepth, labels, step, order}, rangeOf(inverseDepth), progress);
 }
 
 float relativeNoise(const NoiseCurve& deviation, const ImageF& inverseDepth) {
@@ -311,48 +374,36 @@ float relativeNoise(const NoiseCurve& deviation, const ImageF& inverseDepth) {
     return deviation.at(middle) / middle;
 }
 
-DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labels, float pixelsPerSample,
+DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labels, float depthSampleSpacing,
                               const Progress& progress) {
     DepthNoise noise;
     const Range range = rangeOf(inverseDepth);
     if (range.high <= 0) return noise;
-    const int base = std::max(1, static_cast<int>(std::lround(pixelsPerSample)));
-    const NoiseCurve quanta = quantisation(inverseDepth, pixelsPerSample, base, range);
-    const bool smooth = base > 1 && std::ranges::all_of(quanta.sigma, [](float quantum) { return quantum <= 0; });
+    const int spacing = wholeSpacing(depthSampleSpacing);
+    const NoiseCurve quanta = quantisation(inverseDepth, depthSampleSpacing > 1, spacing, range);
+    const bool smooth = spacing > 1 && std::ranges::all_of(quanta.sigma, [](float quantum) { return quantum <= 0; });
     std::vector<NoiseCurve> scales(smooth ? kEnlargedScales : kScales);
+    StagedProgress stages(progress, static_cast<double>(scales.size()));
     for (std::size_t k = 0; k < scales.size(); ++k)
-        scales[k] = measureNoise(inverseDepth, labels, base << k, Differences::Fourth, range, progress);
+        scales[k] = measureNoise({inverseDepth, labels, spacing << k, Differences::Fourth}, range, stages.next(1));
 
     noise.deviation = curveOver(range);
     std::vector<float> total(scales.size(), 0.0f);
     float level = 0;
     float quantised = 0;
     for (std::size_t cell = 0; cell < noise.deviation.sigma.size(); ++cell) {
-        float plateau = 0;
-        float highest = scales[0].sigma[cell];
-        for (std::size_t k = 1; k < scales.size(); ++k) {
-            const float before = scales[k - 1].sigma[cell];
-            const float here = scales[k].sigma[cell];
-            if (here <= 0) break;
-            highest = std::max(highest, here);
-            if (here < 2 * before) plateau = highest;
-        }
-        if (scales[1].sigma[cell] <= 0) plateau = highest;  // too small a picture to compare scales
-        if (plateau < kExact * cellCentre(noise.deviation, cell)) plateau = 0;
+        const auto [plateau, rounding, terraced] =
+            levelOf(scales, cell, quanta.sigma[cell], kMaxExact * cellCentre(noise.deviation, cell));
         for (std::size_t k = 0; k < scales.size(); ++k) total[k] += std::min(scales[k].sigma[cell], plateau);
-        float rounding = quanta.sigma[cell] / std::sqrt(12.0f);
-        if (rounding < kExact * cellCentre(noise.deviation, cell)) rounding = 0;
-        // Terraces wider than the spacing show only where they end, and then as more than they are.
-        const bool terraced = scales[0].sigma[cell] < 0.5f * rounding;
         level += terraced ? std::min(plateau, rounding) : plateau;
         quantised += terraced || rounding > plateau ? rounding : 0;
         noise.deviation.sigma[cell] = terraced ? rounding : std::max(plateau, rounding);
     }
     if (smooth) extendToUnknown(noise.deviation);
     noise.quantised = quantised > 0 && quantised >= level;
-    noise.correlationLength = static_cast<float>(base);
+    noise.correlationLength = static_cast<float>(spacing);
     for (std::size_t k = 0; k < scales.size() && total[k] < 0.7f * level; ++k)
-        noise.correlationLength = static_cast<float>(base << std::min(k + 1, scales.size() - 1));
+        noise.correlationLength = static_cast<float>(spacing << std::min(k + 1, scales.size() - 1));
 
     noise.relative = relativeNoise(noise.deviation, inverseDepth);
     return noise;

@@ -25,10 +25,10 @@ struct NoiseCurve {
     }
 };
 
-/// What is wrong with a measured depth map.
+/// Errors of a measured depth map.
 struct DepthNoise {
     NoiseCurve deviation;         ///< σ of inverse depth, all scales together
-    bool quantised = false;       ///< steps between neighbouring stored values are most of it
+    bool quantised = false;       ///< the noise is mostly steps between neighbouring stored values
     float correlationLength = 1;  ///< [px] pixels farther apart than this err independently
     float relative = 0;           ///< σ(z)/z at the median depth; 0 = exact
 };
@@ -37,23 +37,25 @@ struct DepthNoise {
 /// w(−2s) − 4w(−s) + 6w(0) − 4w(s) + w(2s), which also vanish where curvature changes little.
 enum class Differences { Second, Fourth };
 
-/// Noise that shows in differences at a spacing of `step` pixels inside one segment, as the σ of uncorrelated values
-/// with such differences. Their median over small blocks is taken, and of the blocks at similar depth the smoothest
-/// fifth, so that edges and relief do not count as long as something in the picture is smooth. 0 where nothing was
-/// large enough to tell.
+/// Noise visible in differences at a spacing of `step` pixels inside one segment, as the σ of uncorrelated values with
+/// such differences. Takes the median over small blocks, and among blocks at similar depth the smoothest fifth, so
+/// that edges and relief do not count as long as something in the picture is smooth. 0 where there were too few
+/// differences.
 [[nodiscard]] NoiseCurve measureNoise(const ImageF& inverseDepth, const LabelImage& labels, int step, Differences order,
                                       const Progress& progress);
 
-/// Noise in fourth differences at steps of 1, 2, 4, 8 and 16 times `pixelsPerSample` (of an enlarged map; 1 otherwise;
-/// enlarged maps without rounding at 32 times, too).
-/// Uncorrelated noise is the same at all of them, correlated noise grows until the step passes its correlation length,
-/// and relief grows without end: what levels off is noise. Quantisation, which may not show in differences at all,
-/// counts as a deviation of step/√12.
-[[nodiscard]] DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labels, float pixelsPerSample,
-                                            const Progress& progress);
+/// Noise in fourth differences at steps of 1, 2, 4, 8 and 16 times the spacing of depth samples (`Photo`); enlarged
+/// maps without rounding at 32 times, too. Uncorrelated noise is the same at all of them, correlated noise grows until
+/// the step passes its correlation length, and relief grows without end: what levels off is noise. Quantisation, which
+/// may be invisible in differences, counts as a deviation of step/√12.
+[[nodiscard]] DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labels,
+                                            float depthSampleSpacing, const Progress& progress);
 
 /// σ(z)/z at the median depth; 0 without valid depth.
 [[nodiscard]] float relativeNoise(const NoiseCurve& deviation, const ImageF& inverseDepth);
+
+/// `Photo::depthSampleSpacing` in whole pixels, at least 1.
+[[nodiscard]] int wholeSpacing(float depthSampleSpacing);
 
 /// 1/z of every valid pixel, 0 elsewhere.
 [[nodiscard]] ImageF inverseOf(const ImageF& depth);

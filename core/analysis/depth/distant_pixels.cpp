@@ -1,42 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/depth/distant_pixels.h"
 
-#include <array>
 #include <vector>
+
+#include "core/base/pixel.h"
 
 namespace core::analysis {
 
+namespace {
+
+/// Pixels without depth that are connected by their sides.
+struct EmptyRegion {
+    std::vector<Pixel> pixels;
+    bool reachesBorder = false;
+};
+
+/// The region around `start`, whose pixels are marked as visited.
+EmptyRegion floodEmpty(const ImageF& depth, Pixel start, Image<std::uint8_t>& visited) {
+    EmptyRegion region{.pixels = {start}};
+    visited(start.x, start.y) = 1;
+    for (std::size_t next = 0; next < region.pixels.size(); ++next) {
+        const auto [x, y] = region.pixels[next];
+        region.reachesBorder =
+            region.reachesBorder || x == 0 || y == 0 || x == depth.width() - 1 || y == depth.height() - 1;
+        for (const Pixel& step : kNeighbors) {
+            const int u = x + step.x;
+            const int v = y + step.y;
+            if (!depth.contains(u, v) || visited(u, v) != 0 || depth(u, v) > 0) continue;
+            visited(u, v) = 1;
+            region.pixels.push_back({u, v});
+        }
+    }
+    return region;
+}
+
+bool hasDepthAround(const ImageF& depth, Pixel p) {
+    for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx)
+            if (depth.contains(p.x + dx, p.y + dy) && depth(p.x + dx, p.y + dy) > 0) return true;
+    return false;
+}
+
+}  // namespace
+
 Image<std::uint8_t> findDistantPixels(const ImageF& depth) {
-    const int width = depth.width();
-    const int height = depth.height();
     const std::size_t large = depth.size() / 50;
-    Image<std::uint8_t> distant(width, height, 0);
-    Image<std::uint8_t> visited(width, height, 0);
-    std::vector<std::array<int, 2>> region;
-    for (int startY = 0; startY < height; ++startY) {
-        for (int startX = 0; startX < width; ++startX) {
-            if (depth(startX, startY) > 0 || visited(startX, startY) != 0) continue;
-            region.assign(1, {startX, startY});
-            visited(startX, startY) = 1;
-            bool open = false;
-            for (std::size_t next = 0; next < region.size(); ++next) {
-                const auto [x, y] = region[next];
-                open = open || x == 0 || y == 0 || x == width - 1 || y == height - 1;
-                for (const auto& [dx, dy] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-                    if (!depth.contains(x + dx, y + dy) || visited(x + dx, y + dy) != 0 || depth(x + dx, y + dy) > 0)
-                        continue;
-                    visited(x + dx, y + dy) = 1;
-                    region.push_back({x + dx, y + dy});
-                }
-            }
-            if (!open && region.size() < large) continue;
-            for (const auto& [x, y] : region) {
-                bool mixed = false;
-                for (int dy = -1; dy <= 1; ++dy)
-                    for (int dx = -1; dx <= 1; ++dx)
-                        mixed = mixed || (depth.contains(x + dx, y + dy) && depth(x + dx, y + dy) > 0);
-                if (!mixed) distant(x, y) = 1;
-            }
+    Image<std::uint8_t> distant(depth.width(), depth.height(), 0);
+    Image<std::uint8_t> visited(depth.width(), depth.height(), 0);
+    for (int y = 0; y < depth.height(); ++y) {
+        for (int x = 0; x < depth.width(); ++x) {
+            if (depth(x, y) > 0 || visited(x, y) != 0) continue;
+            const EmptyRegion region = floodEmpty(depth, {x, y}, visited);
+            if (!region.reachesBorder && region.pixels.size() < large) continue;
+            for (const Pixel& p : region.pixels)
+                if (!hasDepthAround(depth, p)) distant(p.x, p.y) = 1;
         }
     }
     return distant;

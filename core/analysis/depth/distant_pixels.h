@@ -7,13 +7,13 @@
 
 namespace core::analysis {
 
-/// 1 = the pixel shows distant light: it has no depth and no neighbour with depth, which would mix with it, and the
-/// region without depth that it is part of reaches the border of the picture or covers at least a fiftieth of it.
-/// Smaller enclosed regions are what a sensor missed (shadows of its projector, shiny spots), not the distance.
+/// 1 = the pixel shows distant light: it has no depth and no neighbour with depth, whose light would be mixed into it,
+/// and its region without depth reaches the border of the picture or covers at least a fiftieth of it. Smaller enclosed
+/// regions are gaps of the sensor (shadows of its projector, shiny spots).
 [[nodiscard]] Image<std::uint8_t> findDistantPixels(const ImageF& depth);
 
-/// The colour of the distant pixel that a ray leaving in direction `d` ends in: at the vanishing point of `d`, when it
-/// lies in the picture and is distant.
+/// Colour of the distant pixel where a ray in direction `d` ends: the vanishing point of `d`, if it lies in the picture
+/// and is distant.
 [[nodiscard]] std::optional<Vector3f> distantColor(const Photo& photo, const Image<std::uint8_t>& distant,
                                                    const Vector3f& d);
 

@@ -5,39 +5,55 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
-#include "core/analysis/segment/segment_pixels.h"
 #include "core/analysis/segment/support_planes.h"
 #include "core/base/parallel.h"
+#include "core/base/pixel.h"
+#include "core/base/staged_progress.h"
+#include "core/base/statistics.h"
 
 namespace core::analysis {
 namespace {
 
-constexpr int kReachParts = 60;         ///< the longer side over the reach of a ramp
-constexpr int kGrid = 4;                ///< samples of a window on each side of its centre
-constexpr float kRampPart = 0.6f;       ///< of the outline near by that is blurred where a ramp is
-constexpr int kFootParts = 8;           ///< the reach over the width of a ramp's foot
-constexpr float kLeastJump = 8;         ///< [pixel widths per pixel of the reach] to what lies behind: less is relief
-constexpr float kFlyingShare = 0.25f;   ///< of that jump: an outline pixel farther back than this may be flying
-constexpr float kRemovedShare = 0.12f;  ///< of that jump: what is farther back near a flying one goes with it
-constexpr float kCleanShare = 0.4f;     ///< of that jump: this much at the outline itself is a clean edge
-constexpr float kLeastBend = 0.15f;     ///< second over first difference of inverse depth: less is a plane
-constexpr float kGapSlope = 3;          ///< [pixel widths per pixel] of relief that may lie in a gap
-constexpr float kStripPart = 0.3f;      ///< of the outline near by that is a strip where one is; its ends have half
+/// The picture's longer side over the reach of a ramp.
+constexpr int kReachParts = 60;
+/// Samples of a window on each side of its centre.
+constexpr int kGrid = 4;
+/// Smallest fraction of the outline nearby that is blurred where there is a ramp.
+constexpr float kMinRampFraction = 0.6f;
+/// Smallest fraction of the outline nearby that is a strip where there is one: about half at the ends of a strip.
+constexpr float kMinStripFraction = 0.3f;
+/// The reach over the width of a ramp's foot.
+constexpr int kFootParts = 8;
+/// Smallest jump [pixel widths per pixel of the reach] to what lies behind: less is relief.
+constexpr float kMinJump = 8;
+/// Steepest relief [pixel widths per pixel] that may lie in a gap.
+constexpr float kMaxGapSlope = 3;
+/// Second over first difference of inverse depth below which a surface is a plane.
+constexpr float kMinBend = 0.15f;
+// Fractions of the jump from the segment to what lies behind it.
+/// An outline pixel farther back than this may be flying.
+constexpr float kFlyingShare = 0.25f;
+/// Pixels farther back than this are removed with a flying one nearby.
+constexpr float kRemovedShare = 0.12f;
+/// A jump of this much at the outline itself is a clean edge.
+constexpr float kCleanShare = 0.4f;
 
-/// The two surfaces about one pixel of an outline.
+/// The two surfaces around an outline pixel.
 struct Surfaces {
-    float own = 0;     ///< depth of the segment near by [m]
-    float behind = 0;  ///< depth of what lies behind it [m]; not above `own` where there is nothing
+    float own = 0;     ///< [m] depth of the segment nearby
+    float behind = 0;  ///< [m] depth of what lies behind it; not above `own` where there is nothing
 
     [[nodiscard]] float share(float z) const { return (z - own) / (behind - own); }
 };
 
 enum class Edge : std::uint8_t {
-    None,     ///< no pixel of an outline
+    None,     ///< not an outline pixel
     Clean,    ///< depth jumps at the outline
-    Flying,   ///< between the surfaces, by itself
+    Flying,   ///< an isolated pixel between the surfaces
     Blurred,  ///< depth does not jump at the outline
 };
 
@@ -58,26 +74,13 @@ class Outlines {
         });
     }
 
-    /// What an outline pixel is, and, unless it is clean, the surfaces about it.
+    /// Kind of an outline pixel and, unless it is clean, the surfaces around it.
     [[nodiscard]] Edge classify(int x, int y, Surfaces& surfaces) const {
-        constexpr std::size_t kSamples = (2 * kGrid + 1) * (2 * kGrid + 1);
-        std::array<float, kSamples> own, others;
-        std::size_t ownCount = 0, otherCount = 0;
-        for (int j = -kGrid; j <= kGrid; ++j) {
-            for (int i = -kGrid; i <= kGrid; ++i) {
-                const int sx = x + i * reach_ / kGrid;
-                const int sy = y + j * reach_ / kGrid;
-                if (!depth_.contains(sx, sy) || depth_(sx, sy) <= 0) continue;
-                if (labels_(sx, sy) == labels_(x, y))
-                    own[ownCount++] = depth_(sx, sy);
-                else
-                    others[otherCount++] = depth_(sx, sy);
-            }
-        }
-        if (ownCount < 4 || otherCount < 4) return Edge::Clean;
-        surfaces = {quantile(own, ownCount, 0.08), quantile(others, otherCount, 0.6)};
+        const std::optional<Surfaces> around = surfacesAround(x, y);
+        if (!around) return Edge::Clean;
+        surfaces = *around;
         const float z = depth_(x, y);
-        if (surfaces.behind - surfaces.own < kLeastJump * static_cast<float>(reach_) * footprint_ * z ||
+        if (surfaces.behind - surfaces.own < kMinJump * static_cast<float>(reach_) * footprint_ * z ||
             surfaces.share(z) < kRemovedShare)
             return Edge::Clean;
         if (enlarged_ && fallsLikeNoBall(x, y)) return Edge::Blurred;
@@ -98,7 +101,7 @@ class Outlines {
         return fall > kFlyingShare && fall > 0.5f * jump ? Edge::Flying : Edge::Clean;
     }
 
-    /// Whether depth falls away at an outline pixel faster than at the rim of a ball as wide as the picture, and not
+    /// Whether depth falls away at an outline pixel faster than at the rim of a ball as wide as the picture, but not
     /// like a plane: a face may be seen at any angle.
     [[nodiscard]] bool fallsLikeNoBall(int x, int y) const {
         const auto width = static_cast<float>(std::max(depth_.width(), depth_.height()));
@@ -115,7 +118,7 @@ class Outlines {
             if (near <= 0 || z - near < ofBall * footprint_ * z) return false;
             const float farther = inside(2 * distance);
             const float bend = farther > 0 ? 1 / z - 2 / near + 1 / farther : 1 / near;
-            return std::abs(bend) > kLeastBend * (1 / near - 1 / z);
+            return std::abs(bend) > kMinBend * (1 / near - 1 / z);
         });
     }
 
@@ -126,17 +129,17 @@ class Outlines {
             const int u = x + distance * step.x;
             const int v = y + distance * step.y;
             if (!depth_.contains(u, v) || labels_(u, v) != labels_(x, y) || depth_(u, v) <= 0) return false;
-            return z - depth_(u, v) > kGapSlope * static_cast<float>(distance) * footprint_ * z;
+            return z - depth_(u, v) > kMaxGapSlope * static_cast<float>(distance) * footprint_ * z;
         });
     }
 
-    /// Whether depth goes on across the outline and comes back to the segment farther in.
+    /// Whether depth is continuous across the outline and jumps to the segment's own farther inside.
     [[nodiscard]] bool hasStrip(int x, int y) const {
         return std::ranges::any_of(kNeighbors, [&](Pixel inwards) { return stripWidth(x, y, inwards) > 0; });
     }
 
-    /// Number of pixels from the outline inwards whose depth is that of what lies beyond the outline; 0: none. The jump
-    /// to the segment's own depth is steeper than relief, over the gap that sensors leave beside it too.
+    /// Number of pixels from the outline inwards whose depth is that of what lies beyond the outline. The jump to the
+    /// segment's own depth is steeper than relief, even across the gap that sensors leave beside it.
     [[nodiscard]] int stripWidth(int x, int y, Pixel inwards) const {
         const int ox = x - inwards.x;
         const int oy = y - inwards.y;
@@ -150,7 +153,7 @@ class Outlines {
             const float z = depth_(x + last * inwards.x, y + last * inwards.y);
             const float jump = z - depth_(u, v);
             const auto gap = static_cast<float>(k - last - 1);
-            if (jump > (kLeastJump + kGapSlope * gap) * footprint_ * z)
+            if (jump > (kMinJump + kMaxGapSlope * gap) * footprint_ * z)
                 return std::abs(depth_(ox, oy) - depth_(x, y)) < kFlyingShare * jump ? last + 1 : 0;
             last = k;
         }
@@ -158,85 +161,114 @@ class Outlines {
     }
 
   private:
-    template <std::size_t N>
-    static float quantile(std::array<float, N>& values, std::size_t count, double q) {
-        const auto rank = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(count - 1));
-        std::nth_element(values.begin(), rank, values.begin() + static_cast<std::ptrdiff_t>(count));
-        return *rank;
+    /// nullopt where either surface has too few samples.
+    [[nodiscard]] std::optional<Surfaces> surfacesAround(int x, int y) const {
+        constexpr std::size_t kSamples = (2 * kGrid + 1) * (2 * kGrid + 1);
+        constexpr std::size_t kMinSamples = 4;
+        std::array<float, kSamples> own, others;
+        std::size_t ownCount = 0, otherCount = 0;
+        for (int j = -kGrid; j <= kGrid; ++j) {
+            for (int i = -kGrid; i <= kGrid; ++i) {
+                const int sx = x + i * reach_ / kGrid;
+                const int sy = y + j * reach_ / kGrid;
+                if (!depth_.contains(sx, sy) || depth_(sx, sy) <= 0) continue;
+                if (labels_(sx, sy) == labels_(x, y))
+                    own[ownCount++] = depth_(sx, sy);
+                else
+                    others[otherCount++] = depth_(sx, sy);
+            }
+        }
+        if (ownCount < kMinSamples || otherCount < kMinSamples) return std::nullopt;
+        return Surfaces{quantile(std::span(own).first(ownCount), 0.08),
+                        quantile(std::span(others).first(otherCount), 0.6)};
     }
 
     const ImageF& depth_;
     const LabelImage& labels_;
     bool enlarged_;    ///< ramps are drawn out
     float footprint_;  ///< width of a pixel at a distance of 1
-    int reach_;        ///< [px]
+    int reach_;        ///< [px] of a ramp
 };
 
-}  // namespace
+/// Calls `visitor(x, y)` for the pixels of the centre's segment within `radius`.
+template <class Visitor>
+void forDisk(const LabelImage& labels, Pixel center, int radius, const Visitor& visitor) {
+    for (int y = std::max(center.y - radius, 0); y <= std::min(center.y + radius, labels.height() - 1); ++y)
+        for (int x = std::max(center.x - radius, 0); x <= std::min(center.x + radius, labels.width() - 1); ++x) {
+            const int dx = x - center.x;
+            const int dy = y - center.y;
+            if (dx * dx + dy * dy <= radius * radius && labels(x, y) == labels(center.x, center.y)) visitor(x, y);
+        }
+}
 
-void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& camera, float pixelsPerSample,
-                        const Progress& progress) {
+/// The outline pixels of a picture by kind.
+struct ClassifiedOutlines {
+    Image<Edge> edges;
+    Image<std::uint8_t> isStrip;  ///< depth continues across the outline and jumps farther inside
+    Image<Surfaces> surfaces;     ///< valid where flying or blurred
+};
+
+ClassifiedOutlines classify(const Outlines& outlines, const ImageF& measured, const LabelImage& labels,
+                            const Progress& progress) {
+    ClassifiedOutlines result{Image<Edge>(labels.width(), labels.height(), Edge::None),
+                              Image<std::uint8_t>(labels.width(), labels.height(), 0),
+                              Image<Surfaces>(labels.width(), labels.height())};
     const std::vector<bool> supports = findSupports(labels);
-    const ImageF measured = depth;
-    const bool enlarged = pixelsPerSample > 1;
-    const Outlines outlines(measured, labels, camera, enlarged);
-    const int reach = outlines.reach();
-    Image<Edge> edges(depth.width(), depth.height(), Edge::None);
-    Image<std::uint8_t> strips(depth.width(), depth.height(), 0);
-    Image<Surfaces> surfaces(depth.width(), depth.height());
-    parallelFor(progress, depth.height(), [&](int y) {
-        for (int x = 0; x < depth.width(); ++x) {
+    parallelFor(progress, labels.height(), [&](int y) {
+        for (int x = 0; x < labels.width(); ++x) {
             if (labels(x, y) == 0 || supports[labels(x, y)] || measured(x, y) <= 0 || !outlines.isOutline(x, y))
                 continue;
-            edges(x, y) = outlines.classify(x, y, surfaces(x, y));
-            strips(x, y) = outlines.hasStrip(x, y) ? 1 : 0;
+            result.edges(x, y) = outlines.classify(x, y, result.surfaces(x, y));
+            result.isStrip(x, y) = outlines.hasStrip(x, y) ? 1 : 0;
         }
     });
+    return result;
+}
 
-    const auto visit = [&](Pixel center, int radius, const auto& visitor) {
-        for (int y = std::max(center.y - radius, 0); y <= std::min(center.y + radius, depth.height() - 1); ++y)
-            for (int x = std::max(center.x - radius, 0); x <= std::min(center.x + radius, depth.width() - 1); ++x) {
-                const int dx = x - center.x;
-                const int dy = y - center.y;
-                if (dx * dx + dy * dy <= radius * radius && labels(x, y) == labels(center.x, center.y)) visitor(x, y);
-            }
-    };
-    // Ramps and strips run along the outline; the noise of a sensor makes some pixels of a clean one look alike.
-    const auto runsAlong = [&](Pixel pixel, float part, const auto& isAlike) {
+/// Removes flying pixels, blurred outlines and strips of background; returns 1 for what belongs to a ramp.
+Image<std::uint8_t> removeOutlines(const Outlines& outlines, const ClassifiedOutlines& classified,
+                                   const ImageF& measured, const LabelImage& labels, ImageF& depth,
+                                   const Progress& progress) {
+    const auto& [edges, isStrip, surfaces] = classified;
+    // Ramps and strips extend along the outline; a sensor's noise makes single pixels of a clean one look the same.
+    const auto isMostly = [&](Pixel pixel, float fraction, const auto& isAlike) {
         int alike = 0, count = 0;
-        visit(pixel, reach, [&](int x, int y) {
+        forDisk(labels, pixel, outlines.reach(), [&](int x, int y) {
             if (edges(x, y) == Edge::None) return;
             ++count;
             if (isAlike(x, y)) ++alike;
         });
-        return static_cast<float>(alike) > part * static_cast<float>(count);
+        return static_cast<float>(alike) > fraction * static_cast<float>(count);
     };
     const auto isBlurred = [&](int x, int y) { return edges(x, y) == Edge::Blurred; };
-    const auto isStrip = [&](int x, int y) { return strips(x, y) != 0; };
-    const int foot = 1 + reach / kFootParts;
+    const auto isInStrip = [&](int x, int y) { return isStrip(x, y) != 0; };
     Image<std::uint8_t> ramp(depth.width(), depth.height(), 0);
     for (int y = 0; y < depth.height(); ++y) {
-        progress.checkpoint(1);
+        progress.checkpoint(static_cast<float>(y) / static_cast<float>(depth.height()));
         for (int x = 0; x < depth.width(); ++x) {
-            if (isStrip(x, y) && runsAlong({x, y}, kStripPart, isStrip))
+            if (isInStrip(x, y) && isMostly({x, y}, kMinStripFraction, isInStrip))
                 for (const Pixel& inwards : kNeighbors)
                     for (int k = outlines.stripWidth(x, y, inwards) - 1; k >= 0; --k)
                         depth(x + k * inwards.x, y + k * inwards.y) = 0;
             if (edges(x, y) != Edge::Flying && edges(x, y) != Edge::Blurred) continue;
             depth(x, y) = 0;
-            if (edges(x, y) == Edge::Flying || !runsAlong({x, y}, kRampPart, isBlurred)) continue;
-            visit({x, y}, reach, [&, &between = surfaces(x, y)](int u, int v) {
+            if (edges(x, y) == Edge::Flying || !isMostly({x, y}, kMinRampFraction, isBlurred)) continue;
+            forDisk(labels, {x, y}, outlines.reach(), [&, &between = surfaces(x, y)](int u, int v) {
                 if (between.share(measured(u, v)) > kRemovedShare) ramp(u, v) = 1;
             });
         }
     }
-    // A map that was enlarged has its ramps drawn out: they go on as long as depth falls faster than relief does.
-    const int drawnOut = enlarged ? reach : 0;
+    return ramp;
+}
+
+/// Grows ramps by up to `distance` pixels, as long as depth falls faster than relief does over the width of a foot.
+void followRamps(const Outlines& outlines, const ImageF& measured, const LabelImage& labels, int distance, int foot,
+                 Image<std::uint8_t>& ramp) {
     std::vector<Pixel> front, next;
-    for (int y = 0; y < depth.height(); ++y)
-        for (int x = 0; x < depth.width(); ++x)
+    for (int y = 0; y < labels.height(); ++y)
+        for (int x = 0; x < labels.width(); ++x)
             if (ramp(x, y) == 1) front.push_back({x, y});
-    for (int k = 0; k < drawnOut && !front.empty(); ++k) {
+    for (int k = 0; k < distance && !front.empty(); ++k) {
         next.clear();
         for (const auto& [x, y] : front)
             for (const Pixel& step : kNeighbors) {
@@ -250,10 +282,25 @@ void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& c
             }
         front.swap(next);
     }
-    // What remains of a ramp is less than can be told from relief: the foot goes with the rest.
+}
+
+}  // namespace
+
+void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& camera, float depthSampleSpacing,
+                        const Progress& progress) {
+    constexpr double kRemovalCost = 0.5;
+    const ImageF measured = depth;
+    const bool enlarged = depthSampleSpacing > 1;
+    const Outlines outlines(measured, labels, camera, enlarged);
+    const int foot = 1 + outlines.reach() / kFootParts;
+    StagedProgress stages(progress, 1);
+    const ClassifiedOutlines classified = classify(outlines, measured, labels, stages.next(1 - kRemovalCost));
+    Image<std::uint8_t> ramp = removeOutlines(outlines, classified, measured, labels, depth, stages.next(kRemovalCost));
+    if (enlarged) followRamps(outlines, measured, labels, outlines.reach(), foot, ramp);
+    // The rest of a ramp cannot be distinguished from relief: its foot is removed, too.
     for (int y = 0; y < depth.height(); ++y)
         for (int x = 0; x < depth.width(); ++x)
-            if (ramp(x, y) == 1) visit({x, y}, foot, [&](int u, int v) { depth(u, v) = 0; });
+            if (ramp(x, y) == 1) forDisk(labels, {x, y}, foot, [&](int u, int v) { depth(u, v) = 0; });
 }
 
 }  // namespace core::analysis

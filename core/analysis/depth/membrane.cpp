@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/analysis/segment/segment_pixels.h"
+#include "core/base/pixel.h"
 
 namespace core::analysis {
 namespace {
@@ -15,9 +15,10 @@ using Kind = MembraneCell::Kind;
 constexpr float kOverRelaxation = 1.7f;
 constexpr int kCoarseSweeps = 100;
 constexpr int kSweeps = 12;
-constexpr int kCoarsest = 8;  ///< [cells]
+/// Width or height [cells] up to which a level has no coarser one.
+constexpr int kCoarsest = 8;
 
-/// Means over 2×2 cells, their finite bounds too; a cell with a fixed one in it is fixed.
+/// Means over 2×2 cells, of finite bounds too; a cell with a fixed one in it is fixed.
 Image<MembraneCell> coarser(const Image<MembraneCell>& fine) {
     Image<MembraneCell> coarse((fine.width() + 1) / 2, (fine.height() + 1) / 2);
     for (int y = 0; y < coarse.height(); ++y) {
@@ -63,6 +64,8 @@ void relax(Image<MembraneCell>& cells, const std::vector<Pixel>& free, float fac
 }  // namespace
 
 void solveMembrane(Image<MembraneCell>& cells, const Progress& progress) {
+    // Coarser levels have a quarter of the cells each, so all of them together take about a third of this one's time.
+    constexpr float kCoarserShare = 0.25f;
     progress.checkpoint(0);
     std::vector<Pixel> free;
     for (int y = 0; y < cells.height(); ++y)
@@ -72,13 +75,14 @@ void solveMembrane(Image<MembraneCell>& cells, const Progress& progress) {
     const bool coarsest = cells.width() <= kCoarsest || cells.height() <= kCoarsest;
     if (!coarsest) {
         Image<MembraneCell> coarse = coarser(cells);
-        solveMembrane(coarse, progress);
+        solveMembrane(coarse, progress.part(0, kCoarserShare));
         for (const auto& [x, y] : free) cells(x, y).value = coarse(x / 2, y / 2).value;
     }
     const int sweeps = coarsest ? kCoarseSweeps : kSweeps;
+    const Progress own = coarsest ? progress : progress.part(kCoarserShare, 1);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
-        progress.checkpoint(0);
-        // Plain relaxation last: it removes the checkered remains of the over-relaxed sweeps.
+        own.checkpoint(static_cast<float>(sweep) / static_cast<float>(sweeps));
+        // Plain relaxation last: it removes the checkerboard that over-relaxation leaves.
         relax(cells, free, sweep + 2 < sweeps ? kOverRelaxation : 1.0f);
     }
 }

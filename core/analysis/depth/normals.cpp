@@ -6,17 +6,19 @@
 #include <cmath>
 #include <optional>
 
+#include "core/analysis/depth/plane_fit.h"
 #include "core/analysis/depth/repair_normals.h"
 #include "core/analysis/kernels.h"
 #include "core/base/parallel.h"
+#include "core/base/robust.h"
 #include "shaders/shared/fit_surface_block.h"
 
 namespace core::analysis {
 namespace {
 
 /// Slope at the last pixel before an occluding contour, from the steps to its first three neighbours inside. A smooth
-/// surface ends there like sqrt(d) of the distance d to the contour, which the first two steps give away: their ratio
-/// is 0.41 at the contour and 1 far from it. The third must follow, else there is no such contour.
+/// surface ends there like sqrt(d) of the distance d to the contour. The first two steps determine d: their ratio is
+/// 0.41 at the contour and 1 far from it. The third must agree, otherwise there is no such contour.
 std::optional<float> contourSlope(float first, float second, float third) {
     const float ratio = second / first;
     if (!(ratio > 0) || !(ratio < kernel::kMaxContourRatio)) return std::nullopt;
@@ -32,7 +34,7 @@ std::optional<float> contourSlope(float first, float second, float third) {
     return first * 0.5f * (1 + std::sqrt(1 + 1 / low));
 }
 
-/// Fit of one pixel's plane. Plain arithmetic on arrays, the same on every device.
+/// Fits the plane of one pixel. Plain arithmetic on arrays, the same on every device.
 struct NormalFit {
     static constexpr int kMaxTaps = 25;
 
@@ -98,38 +100,19 @@ struct NormalFit {
         }
         const float inverseW = 1 / w;
         for (int iteration = 0; iteration < 2; ++iteration) {
-            float s = 0, su = 0, sv = 0, suu = 0, suv = 0, svv = 0, sw = 0, suw = 0, svw = 0;
+            PlaneMoments<float> moments;
             for (std::size_t i = 0; i < taps.size(); ++i) {
                 const auto u = static_cast<float>(taps[i].dx);
                 const auto v = static_cast<float>(taps[i].dy);
                 const float residual = (difference[i] - (offset + gu * u + gv * v)) * inverseW * taps[i].inverseLimit;
-                const float t = std::max(1 - residual * residual, 0.0f);
-                const float k = t * t * taps[i].weight;
-                const float ku = k * u;
-                const float kv = k * v;
-                s += k;
-                su += ku;
-                sv += kv;
-                suu += ku * u;
-                suv += ku * v;
-                svv += kv * v;
-                sw += k * difference[i];
-                suw += ku * difference[i];
-                svw += kv * difference[i];
+                moments.add(u, v, difference[i], biweight(residual * residual) * taps[i].weight);
             }
-            if (s <= 0) break;
-            // About the mean; a thin line of pixels says nothing about the slope across it: keep the guess there.
-            const float regularization = kernel::kSlopeStiffness * s;
-            const float cuu = suu - su * su / s + regularization;
-            const float cuv = suv - su * sv / s;
-            const float cvv = svv - sv * sv / s + regularization;
-            const float cuw = suw - su * sw / s + regularization * gu;
-            const float cvw = svw - sv * sw / s + regularization * gv;
-            const float determinant = cuu * cvv - cuv * cuv;
-            if (!(determinant > 0)) break;
-            gu = (cvv * cuw - cuv * cvw) / determinant;
-            gv = (cuu * cvw - cuv * cuw) / determinant;
-            offset = std::clamp((sw - gu * su - gv * sv) / s, -0.5f * w, w);
+            // A line of pixels does not determine the slope across it, which keeps the guess.
+            const auto plane = moments.solve(kernel::kSlopeStiffness, gu, gv);
+            if (!plane) break;
+            gu = plane->slopeU;
+            gv = plane->slopeV;
+            offset = std::clamp(plane->value, -0.5f * w, w);
         }
         if (relativeNoise <= 0) {
             const auto su = slopeAtContour(x, y, 1, 0, label, w);
@@ -147,7 +130,7 @@ struct NormalFit {
 }  // namespace
 
 std::vector<NormalTap> normalTaps(const Camera& camera, float relativeNoise) {
-    // Detail of exact depth is true; of what was measured it is what the filter left of the noise.
+    // Detail of exact depth is real; in measured depth it is noise that the filter left.
     const int radius = relativeNoise > 0 ? 2 : 1;
     const float footprint = 1 / std::min(camera.fx, camera.fy);
     constexpr float kLimit = 1.54f;  // biweight that is close to exp(−r²)
@@ -192,7 +175,7 @@ void computeSurface(const SurfaceInput& input, Surface& surface, const Progress&
     parallelFor(progress, height, computeRow);
 }
 
-Step surfaceStep() {
+Step computeNormalsStep() {
     Step step;
     step.task = Task::ComputeNormals;
     step.reads = {Item::Photo, Item::Depth};
@@ -200,13 +183,16 @@ Step surfaceStep() {
     step.params = [](const Scene&, Hash&) {};
     step.run = [](Board& board, const StepContext& context) {
         const Photo& photo = *board.scene->photo;
+        const float noise = board.depth->relativeNoise;
         auto surface = std::make_shared<Surface>();
         surface->depth = board.depth->depth;
         surface->color = photo.color;
-        context.kernels.computeSurface({photo.camera, photo.labels, Side::Front, board.depth->relativeNoise}, *surface,
-                                       context.progress.part(0, 0.7f));
-        if (board.depth->relativeNoise > 0)
-            settleNormals(*surface, photo.labels, photo.camera, photo.depthStep, context.progress.part(0.7f, 1));
+        const float fitted = noise > 0 ? 0.7f : 1.0f;
+        context.kernels.computeSurface({photo.camera, photo.labels, Side::Front, noise}, *surface,
+                                       context.progress.part(0, fitted));
+        if (noise > 0)
+            repairNormals(*surface, photo.labels, photo.camera, photo.depthSampleSpacing,
+                          context.progress.part(fitted, 1));
         board.front = std::move(surface);
     };
     return step;

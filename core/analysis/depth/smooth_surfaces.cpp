@@ -5,53 +5,65 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/analysis/depth/weak_plate.h"
-#include "core/analysis/segment/segment_pixels.h"
+#include "core/base/label_table.h"
+#include "core/base/pixel.h"
+#include "core/base/robust.h"
+#include "core/base/staged_progress.h"
+#include "core/base/statistics.h"
 
 namespace core::analysis {
 namespace {
 
-constexpr double kFold = 0.35;    ///< [rad] turn within the smoothing length at which a plate begins to fold
-constexpr double kUsualFold = 3;  ///< or so many times the turn that half of it has: a small ball is no fold
-constexpr double kJump = 3;       ///< second difference, in σ of the noise, at which depth begins to count as broken
-constexpr double kFarOff = 2.5;   ///< residual at which a measurement counts a quarter, in standard deviations
-constexpr double kFinestRatio = 12;  ///< smoothing length over the width of the cells that weights are found on
+/// Turn [rad] within the smoothing length at which a plate begins to fold, unless kMedianFolds times the median turn is
+/// more: a small ball turns fast everywhere and has no fold.
+constexpr double kMinFold = 0.35;
+constexpr double kMedianFolds = 3;
+/// Second difference at which depth begins to count as broken [σ of the noise].
+constexpr double kJump = 3;
+/// Residual at which the weight of a measurement is a quarter [standard deviations].
+constexpr double kOutlier = 2.5;
+/// Smoothing length over the cell width of the level where weights are found, at most.
+constexpr double kMaxWeightedRatio = 12;
+/// Smoothing length over the cell width of the coarsest level, about.
 constexpr double kCoarsestRatio = 3;
-constexpr double kShortest = 1;  ///< [px] lengths below which there is nothing to smooth
-constexpr int kRounds = 6;       ///< of finding weights
-constexpr int kIterations = 30;  ///< of conjugate gradients on each level
-constexpr int kFollowing = 12;   ///< those on levels finer than the weights'
+/// Smoothing lengths [px] up to this one change nothing.
+constexpr double kMinLength = 1;
+/// Rounds of finding weights.
+constexpr int kWeightRounds = 6;
+/// Iterations of conjugate gradients on the level of the weights and coarser ones, and on finer ones.
+constexpr int kIterations = 30;
+constexpr int kFineIterations = 12;
+/// Time to find the weights of a level over that of one iteration on it.
+constexpr double kWeightCost = 6;
 
-double gemanMcClure(double x) { return 1 / ((1 + x * x) * (1 + x * x)); }
+/// Weight of a residual in units of its scale.
+double weightOf(double residual) { return gemanMcClure(residual * residual); }
+
 double fourthPower(double x) { return x * x * x * x; }
-
-double medianOf(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
 
 /// Noise in cells of one level.
 struct CellNoise {
-    double sigma = 0;        ///< of inverse depth [1/m], 0 = not known
+    double sigma = 0;        ///< [1/m] of inverse depth, 0 = unknown
     double correlation = 1;  ///< [cells]
-    double left = 1;         ///< part of it that the depth filter before leaves
+    double left = 1;         ///< fraction of it that the depth filter leaves
     bool rounded = false;
 
-    /// Half the width of what noise alone may look like: nothing shorter is a fold or a jump.
+    /// Half the width [cells] of the largest structure that noise can produce: nothing narrower is a fold or a jump.
     [[nodiscard]] double shortest() const {
         if (sigma <= 0) return 0;
         return 0.5 * (rounded ? correlation : std::max(correlation - 1, 0.0));
     }
-    /// What the mean over a square of `count` cells may be off by.
+    /// Error [1/m] that noise can leave in the mean over a square of `count` cells.
     [[nodiscard]] double tolerance(double count) const {
         return rounded ? sigma : 2 * left * sigma * std::min(1.0, 2 * correlation / std::sqrt(count));
     }
 };
 
-/// Finds what a plate may do where, round by round.
+/// Stiffness and trust of a plate, updated round by round.
 class PlateWeights {
   public:
     /// `focalLength` [cells] of the plate's level.
@@ -67,7 +79,7 @@ class PlateWeights {
         forCells([&](std::size_t i) {
             for (const std::size_t cell : {i, i - 1, i + 1, i - row, i + row, i + row + 1})
                 if (plate_.inside(cell) && !(measured_[cell] > 0)) return;
-            unbroken_[i] = gemanMcClure(plate_.bendOfData(i) / (kJump * noise_.sigma));
+            unbroken_[i] = weightOf(plate_.bendOfData(i) / (kJump * noise_.sigma));
             plate_.setStiffness(i, unbroken_[i]);
         });
     }
@@ -83,7 +95,7 @@ class PlateWeights {
             for (int x = 0; x < plate_.width(); ++x) {
                 const std::size_t i = plate_.at(x, y);
                 const double count = plate_.inside(i) ? measured_[i] : 0;
-                // Bounded, so that a narrow groove does not stand for all around it.
+                // Bounded, so that a narrow groove does not dominate its surroundings.
                 const double off = std::clamp(plate_.data(i) - plate_.value(i), -2 * noise_.sigma, 2 * noise_.sigma);
                 sums[i] = count * off + sums[i - 1] + sums[i - row] - sums[i - row - 1];
                 counts[i] = count + counts[i - 1] + counts[i - row] - counts[i - row - 1];
@@ -109,9 +121,9 @@ class PlateWeights {
         });
     }
 
-    /// Stiffness by how much the plate turns, trust by how far measurements are off. Maps in few steps come from
-    /// cameras that find depth by matching pictures: lines painted on a surface are grooves in it. Of other maps all is
-    /// trusted, for what seems far off may be the surface turning away at its outline.
+    /// Sets stiffness from how much the plate turns, trust from residuals. Rounded maps come from cameras that match
+    /// pictures, which turn lines painted on a surface into grooves. In other maps everything is trusted, because an
+    /// apparent outlier may be the surface turning away at its outline.
     void update() {
         const std::size_t stride = plate_.cellCount() / 100000 + 1;
         std::vector<double> turns(plate_.cellCount(), 0), off, all;
@@ -124,20 +136,20 @@ class PlateWeights {
             if (noise_.rounded && measured_[i] > 0) off.push_back(std::abs(plate_.data(i) - plate_.value(i)));
         }
         if (all.empty()) return;
-        const double spread = std::max(off.empty() ? 0.0 : 1.4826 * medianOf(off), noise_.sigma);
-        const double fold = std::max(kFold, kUsualFold * medianOf(all));
+        const double spread = std::max(off.empty() ? 0.0 : 1.4826 * median(off), noise_.sigma);
+        const double fold = std::max(kMinFold, kMedianFolds * median(all));
         const double least = fourthPower(std::min(1.0, noise_.shortest() / plate_.length()));
         forCells([&](std::size_t i) {
             if (noise_.rounded) {
-                const double limit = kFarOff * std::max(spread, 1e-7 * std::abs(plate_.value(i)));
-                plate_.setTrust(i, measured_[i] * gemanMcClure((plate_.data(i) - plate_.value(i)) / limit));
+                const double limit = kOutlier * std::max(spread, 1e-7 * std::abs(plate_.value(i)));
+                plate_.setTrust(i, measured_[i] * weightOf((plate_.data(i) - plate_.value(i)) / limit));
             }
             plate_.setStiffness(
-                i, least + (1 - least) * gemanMcClure(turns[i] / fold) * fourthPower(local_[i]) * unbroken_[i]);
+                i, least + (1 - least) * weightOf(turns[i] / fold) * fourthPower(local_[i]) * unbroken_[i]);
         });
     }
 
-    /// Takes the lengths that were found on the coarser level.
+    /// Takes over the lengths found on the coarser level.
     void takeLengths(const PlateWeights& coarse) {
         for (int y = 0; y < plate_.height(); ++y)
             for (int x = 0; x < plate_.width(); ++x)
@@ -156,105 +168,216 @@ class PlateWeights {
     WeakPlate& plate_;
     double focalLength_;
     CellNoise noise_;
-    std::vector<double> measured_;  ///< trust before
-    std::vector<double> unbroken_;  ///< stiffness that jumps of the data leave
+    std::vector<double> measured_;  ///< initial trust
+    std::vector<double> unbroken_;  ///< stiffness factor, low at jumps of the data
     std::vector<double> local_;     ///< local smoothing length over the plate's
 };
 
-/// Smooths `levels[0]`, whose data are set and which is the only one.
-void smoothPlate(std::vector<WeakPlate>& levels, double focalLength, const SurfaceSmoothing& smoothing,
-                 const Progress& progress) {
-    const double length = levels[0].length();
-    while (levels.back().length() > kCoarsestRatio && std::min(levels.back().width(), levels.back().height()) > 4)
-        levels.push_back(levels.back().coarser());
-    std::size_t weighted = 0;
-    const auto tooFine = [&](std::size_t level) {
-        return levels[level].length() > kFinestRatio ||
-               2 * length / levels[level].length() <= static_cast<double>(smoothing.sample);
-    };
-    while (tooFine(weighted) && weighted + 1 < levels.size()) ++weighted;
-    const auto weightsOf = [&](std::size_t level) {
-        constexpr double kFilterReach = 8;  // [px] correlation of noise that the depth filter cannot tell from shape
-        const double scale = levels[level].length() / length;
-        return PlateWeights(levels[level], focalLength * scale,
-                            {.sigma = static_cast<double>(smoothing.noise),
-                             .correlation = static_cast<double>(smoothing.correlation) * scale,
-                             .left = std::min(1.0, static_cast<double>(smoothing.correlation) / kFilterReach),
-                             .rounded = smoothing.rounded});
-    };
-    const auto progressOf = [&](int round) { return static_cast<float>(round) / static_cast<float>(kRounds + 1); };
+/// Sizes of a plate's levels, which of them does what, and how long that takes.
+class PlateSchedule {
+  public:
+    PlateSchedule(int width, int height, const SurfaceSmoothing& smoothing) {
+        auto length = static_cast<double>(smoothing.length);
+        cells_.push_back(static_cast<double>(width) * height);
+        std::vector<double> lengths{length};
+        while (lengths.back() > kCoarsestRatio && std::min(width, height) > 4) {
+            width = (width + 1) / 2;
+            height = (height + 1) / 2;
+            cells_.push_back(static_cast<double>(width) * height);
+            lengths.push_back(lengths.back() / 2);
+        }
+        const auto tooFine = [&](std::size_t level) {
+            return lengths[level] > kMaxWeightedRatio ||
+                   2 * length / lengths[level] <= static_cast<double>(smoothing.depthSampleSpacing);
+        };
+        while (tooFine(weighted_) && weighted_ + 1 < lengths.size()) ++weighted_;
+    }
 
+    [[nodiscard]] std::size_t levelCount() const { return cells_.size(); }
+    /// Finest level on which weights are found in rounds; finer ones take them over.
+    [[nodiscard]] std::size_t weighted() const { return weighted_; }
+
+    // Costs in units of one iteration on one cell.
+    [[nodiscard]] double costOfRelaxing(std::size_t level) const {
+        return cells_[level] * (level < weighted_ ? kFineIterations : kIterations);
+    }
+    [[nodiscard]] double costOfWeights(std::size_t level) const { return cells_[level] * kWeightCost; }
+    [[nodiscard]] double cost() const {
+        double sum = kWeightRounds * costOfWeights(weighted_);
+        for (std::size_t level = 0; level < cells_.size(); ++level)
+            sum += level < weighted_ ? costOfWeights(level) + costOfRelaxing(level)
+                                     : kWeightRounds * costOfRelaxing(level);
+        return sum;
+    }
+
+  private:
+    std::vector<double> cells_;
+    std::size_t weighted_ = 0;
+};
+
+/// Weights of one of `levels`.
+PlateWeights weightsOf(std::vector<WeakPlate>& levels, std::size_t level, double focalLength,
+                       const SurfaceSmoothing& smoothing) {
+    /// [px] correlation of noise that the depth filter cannot distinguish from shape.
+    constexpr double kFilterReach = 8;
+    const double scale = levels[level].length() / levels[0].length();
+    return {levels[level], focalLength * scale,
+            CellNoise{.sigma = static_cast<double>(smoothing.noise),
+                      .correlation = static_cast<double>(smoothing.correlation) * scale,
+                      .left = std::min(1.0, static_cast<double>(smoothing.correlation) / kFilterReach),
+                      .rounded = smoothing.rounded}};
+}
+
+/// Smooths `plate`, whose data are set.
+void smoothPlate(WeakPlate& plate, double focalLength, const SurfaceSmoothing& smoothing, const PlateSchedule& schedule,
+                 const Progress& progress) {
+    StagedProgress stages(progress, schedule.cost());
+    std::vector<WeakPlate> levels{std::move(plate)};
+    while (levels.size() < schedule.levelCount()) levels.push_back(levels.back().coarser());
+    const std::size_t weighted = schedule.weighted();
     std::vector<PlateWeights> weights;
     weights.reserve(weighted + 1);
-    weights.push_back(weightsOf(weighted));
-    for (int round = 0; round < kRounds; ++round) {
+    weights.push_back(weightsOf(levels, weighted, focalLength, smoothing));
+    for (int round = 0; round < kWeightRounds; ++round) {
         for (std::size_t k = weighted + 1; k < levels.size(); ++k) levels[k].restrictFrom(levels[k - 1]);
         for (std::size_t k = levels.size(); k-- > weighted;) {
             if (k + 1 < levels.size()) levels[k].prolongFrom(levels[k + 1]);
-            levels[k].relax(kIterations, progress.part(progressOf(round), progressOf(round + 1)));
+            levels[k].relax(kIterations, stages.next(schedule.costOfRelaxing(k)));
         }
         weights.back().shorten();
         weights.back().update();
+        stages.next(schedule.costOfWeights(weighted)).checkpoint(1);
     }
     for (std::size_t k = weighted; k-- > 0;) {
         levels[k].prolongFrom(levels[k + 1]);
-        weights.push_back(weightsOf(k));
+        weights.push_back(weightsOf(levels, k, focalLength, smoothing));
         weights.back().takeLengths(weights[weights.size() - 2]);
         weights.back().update();
-        levels[k].relax(kFollowing, progress.part(progressOf(kRounds), 1));
+        stages.next(schedule.costOfWeights(k)).checkpoint(1);
+        levels[k].relax(kFineIterations, stages.next(schedule.costOfRelaxing(k)));
     }
+    plate = std::move(levels[0]);
 }
 
-}  // namespace
+/// Pixels with depth of one segment.
+struct SegmentDepth {
+    PixelBox box;
+    std::size_t count = 0;
+    float nearest = 0, farthest = 0;  ///< [m]
+};
 
-void smoothSurfaces(ImageF& depth, const Image<std::uint8_t>& measured, const LabelImage& labels, const Camera& camera,
-                    std::span<const SurfaceSmoothing> segments, const Progress& progress) {
-    struct Extent {
-        PixelBox box;
-        std::size_t count = 0;
-        float nearest = 0, farthest = 0;
-    };
-    std::vector<Extent> extents(65536);
+LabelTable<SegmentDepth> depthOfSegments(const ImageF& depth, const LabelImage& labels) {
+    LabelTable<SegmentDepth> segments;
     for (int y = 0; y < depth.height(); ++y) {
         for (int x = 0; x < depth.width(); ++x) {
             const float z = depth(x, y);
             if (labels(x, y) == 0 || z <= 0) continue;
-            Extent& extent = extents[labels(x, y)];
-            extent.box.add({x, y});
-            extent.nearest = extent.count > 0 ? std::min(extent.nearest, z) : z;
-            extent.farthest = std::max(extent.farthest, z);
-            ++extent.count;
+            SegmentDepth& segment = segments[labels(x, y)];
+            segment.box.add({x, y});
+            segment.nearest = segment.count > 0 ? std::min(segment.nearest, z) : z;
+            segment.farthest = std::max(segment.farthest, z);
+            ++segment.count;
         }
     }
-    for (std::size_t s = 0; s < segments.size(); ++s) {
-        const auto share = [&](std::size_t done) {
-            return static_cast<float>(done) / static_cast<float>(segments.size());
-        };
-        const Progress own = progress.part(share(s), share(s + 1));
-        const std::uint16_t label = segments[s].label;
-        const auto& [box, count, nearest, farthest] = extents[label];
-        const auto length = static_cast<double>(segments[s].length);
-        if (label == 0 || count == 0 || !(length > kShortest)) continue;
-        own.checkpoint(0);
-        std::vector<WeakPlate> levels;
-        WeakPlate& plate = levels.emplace_back(box.width(), box.height(), length);
-        const auto pixels = [&](const auto& body) {
-            for (int y = 0; y < box.height(); ++y)
-                for (int x = 0; x < box.width(); ++x)
-                    if (labels(box.x0 + x, box.y0 + y) == label && depth(box.x0 + x, box.y0 + y) > 0)
-                        body(x, y, depth(box.x0 + x, box.y0 + y));
-        };
-        pixels([&](int x, int y, float z) {
-            plate.setCell(x, y, 1.0 / static_cast<double>(z), measured(box.x0 + x, box.y0 + y) != 0 ? 1.0 : 0.0);
-        });
-        smoothPlate(levels, 0.5 * static_cast<double>(camera.fx + camera.fy), segments[s], own);
-        const float low = 0.8f * nearest;
-        const float high = 1.25f * farthest;
-        pixels([&](int x, int y, float& z) {
-            const double w = levels[0].value(levels[0].at(x, y));
-            if (w > 0) z = std::clamp(static_cast<float>(1 / w), low, high);
-        });
+    return segments;
+}
+
+void smoothSegment(ImageF& depth, const Image<std::uint8_t>& measured, const LabelImage& labels, double focalLength,
+                   const SurfaceSmoothing& smoothing, const SegmentDepth& segment, const Progress& progress) {
+    progress.checkpoint(0);
+    const PixelBox& box = segment.box;
+    const auto forPixels = [&](const auto& body) {
+        for (int y = 0; y < box.height(); ++y)
+            for (int x = 0; x < box.width(); ++x)
+                if (labels(box.x0 + x, box.y0 + y) == smoothing.label && depth(box.x0 + x, box.y0 + y) > 0)
+                    body(x, y, depth(box.x0 + x, box.y0 + y));
+    };
+    WeakPlate plate(box.width(), box.height(), static_cast<double>(smoothing.length));
+    forPixels([&](int x, int y, float z) {
+        plate.setCell(x, y, 1.0 / static_cast<double>(z), measured(box.x0 + x, box.y0 + y) != 0 ? 1.0 : 0.0);
+    });
+    smoothPlate(plate, focalLength, smoothing, {box.width(), box.height(), smoothing}, progress);
+    const float low = 0.8f * segment.nearest;
+    const float high = 1.25f * segment.farthest;
+    forPixels([&](int x, int y, float& z) {
+        const double w = plate.value(plate.at(x, y));
+        if (w > 0) z = std::clamp(static_cast<float>(1 / w), low, high);
+    });
+}
+
+/// Sum of the known inverse depths of a segment.
+struct MeanInverseDepth {
+    double sum = 0;
+    std::size_t count = 0;
+};
+
+/// Smoothing length that the noise requires, for a segment at inverse depth `w` that is `width` pixels wide. Noise of
+/// relative σ with errors of one sign over n pixels tilts a plate of length L by about σ f n / L².
+void followNoise(SurfaceSmoothing& smoothing, float w, float width, const DepthNoise& noise, float focalLength) {
+    /// [rad] slope error that may remain in places; it is typically much smaller.
+    constexpr float kMaxTilt = 0.1f;
+    // Rounding whose σ makes a slope of 45 degrees over the distance of two measurements is coarse. Cameras that round
+    // so match pictures, and their errors have one sign over some pixels [px]. Finer rounding is noise like any other.
+    constexpr float kMinTerrace = 4;
+    /// A flat surface continues without a step for longer, the larger the step is.
+    constexpr float kTerraceOverSlope = 1.4f;
+    constexpr float kMaxLengthOverWidth = 0.125f;
+    smoothing.noise = noise.deviation.at(w);
+    const float slope = smoothing.noise / w * focalLength;
+    smoothing.rounded = noise.quantised && slope > smoothing.depthSampleSpacing;
+    if (smoothing.rounded)
+        smoothing.correlation = std::max({smoothing.correlation, kMinTerrace, kTerraceOverSlope * slope});
+    smoothing.length =
+        std::min(std::sqrt(slope * (2 * smoothing.correlation - 1) / kMaxTilt), kMaxLengthOverWidth * width);
+}
+
+}  // namespace
+
+std::vector<SurfaceSmoothing> chooseSmoothing(const ImageF& depth, const Scene& scene, const DepthNoise& noise) {
+    constexpr float kMaxBumpOverWidth = 0.5f;
+    const Photo& photo = *scene.photo;
+    LabelTable<MeanInverseDepth> means;
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        if (photo.labels[i] == 0 || depth[i] <= 0) continue;
+        means[photo.labels[i]].sum += 1.0 / static_cast<double>(depth[i]);
+        ++means[photo.labels[i]].count;
     }
+    const float focalLength = 0.5f * (photo.camera.fx + photo.camera.fy);
+    std::vector<SurfaceSmoothing> result;
+    for (std::size_t label = 1; label < means.size(); ++label) {
+        const auto& [sum, count] = means[label];
+        if (count == 0) continue;
+        SurfaceSmoothing& smoothing =
+            result.emplace_back(SurfaceSmoothing{.label = static_cast<std::uint16_t>(label),
+                                                 .correlation = noise.correlationLength,
+                                                 .depthSampleSpacing = photo.depthSampleSpacing});
+        const auto width = static_cast<float>(std::sqrt(static_cast<double>(count)));
+        const Segment* segment = scene.findSegment(smoothing.label);
+        if (segment != nullptr && segment->smoothing)
+            smoothing.length =
+                std::min(*segment->smoothing, kMaxBumpOverWidth * width) / SurfaceSmoothing::kBumpOverLength;
+        else
+            followNoise(smoothing, static_cast<float>(sum / static_cast<double>(count)), width, noise, focalLength);
+    }
+    return result;
+}
+
+void smoothSurfaces(ImageF& depth, const Image<std::uint8_t>& measured, const LabelImage& labels, const Camera& camera,
+                    std::span<const SurfaceSmoothing> segments, const Progress& progress) {
+    const LabelTable<SegmentDepth> depths = depthOfSegments(depth, labels);
+    const auto costOf = [&](const SurfaceSmoothing& smoothing) {
+        const SegmentDepth& segment = depths[smoothing.label];
+        if (smoothing.label == 0 || segment.count == 0 || !(static_cast<double>(smoothing.length) > kMinLength))
+            return 0.0;
+        return PlateSchedule(segment.box.width(), segment.box.height(), smoothing).cost();
+    };
+    double total = 0;
+    for (const SurfaceSmoothing& smoothing : segments) total += costOf(smoothing);
+    StagedProgress stages(progress, total);
+    const double focalLength = 0.5 * static_cast<double>(camera.fx + camera.fy);
+    for (const SurfaceSmoothing& smoothing : segments)
+        if (const double cost = costOf(smoothing); cost > 0)
+            smoothSegment(depth, measured, labels, focalLength, smoothing, depths[smoothing.label], stages.next(cost));
 }
 
 }  // namespace core::analysis

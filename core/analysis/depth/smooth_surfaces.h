@@ -2,32 +2,47 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <span>
+#include <vector>
 
+#include "core/analysis/depth/depth_noise.h"
 #include "core/base/camera.h"
 #include "core/base/image.h"
 #include "core/base/progress.h"
+#include "core/scene/scene.h"
 
 namespace core::analysis {
 
-/// How far the surface of a segment is smoothed.
+/// How far the surface of one segment is smoothed.
 struct SurfaceSmoothing {
     std::uint16_t label = 0;
-    float length = 0;       ///< [px] of the plate: halves bumps and dents π times as wide, removes narrower ones
-    float noise = 0;        ///< σ of inverse depth [1/m]; 0 = not known, and `length` is the same all over the segment
+    float length = 0;       ///< [px] plate length: halves bumps and dents π times as wide, removes narrower ones
+    float noise = 0;        ///< [1/m] σ of inverse depth; 0 = unknown, then `length` applies to the whole segment
     float correlation = 1;  ///< [px] pixels farther apart than this err independently
-    float sample = 1;       ///< [px] distance of the measurements, as Photo::depthStep
-    bool rounded = false;   ///< the noise is rounding: it can err alike over any distance
+    float depthSampleSpacing = 1;  ///< [px] as in Photo
+    bool rounded = false;          ///< the noise is rounding: errors can have one sign over any distance
+
+    /// [px] width of the bumps that are halved.
+    [[nodiscard]] float bumpWidth() const { return kBumpOverLength * length; }
+    /// Width of the bump, half a wave, that a weak plate halves, over the plate's length L: 1 / (1 + (2πL/λ)⁴) is left.
+    static constexpr float kBumpOverLength = std::numbers::pi_v<float>;
 };
 
+/// The smoothing of every segment with depth: the user's bump width, at most half of the segment's width, or what the
+/// noise requires, at most an eighth of it.
+[[nodiscard]] std::vector<SurfaceSmoothing> chooseSmoothing(const ImageF& depth, const Scene& scene,
+                                                            const DepthNoise& noise);
+
 /// Replaces the depth of segments, which `filterDepth` has freed of noise from pixel to pixel, by weak plates [BZ87]:
-/// the inverse depth that bends least and follows the measured one. A mirror shows every error of slope; the plate has
-/// none that is narrower than `length`. Where measurements are off to one side by more than their noise allows, there
-/// is relief, and the length falls to what shows it, at least the correlation of the noise. In rounded maps
-/// measurements far off stop to count; where the surface turns by more than about twenty degrees within the length, or
-/// depth jumps, it may fold or break (weights of Geman and McClure, found anew six times). Planes stay, and the slope
-/// at the outline; segments do not feel each other. What is not `measured` (0) is spanned by the plate. Solved from
-/// coarse to fine; time per pixel does not grow with the length. The same result on any number of threads. Cancellable.
+/// the inverse depth that bends least while following the measured one. A mirror shows every error of slope; the plate
+/// has none that is narrower than `length`. Where measurements are off to one side by more than their noise allows,
+/// there is relief, and the length shrinks to what shows it, but not below the correlation of the noise. In rounded
+/// maps distant outliers lose their weight. The plate may fold where the surface turns by more than about twenty
+/// degrees within the length, and break where depth jumps (weights of Geman and McClure, updated six times). Planes
+/// and slopes at the outline are preserved; segments do not influence each other. The plate spans what is not
+/// `measured` (0). Solved from coarse to fine; time per pixel does not grow with the length. The result is the same on
+/// any number of threads. Cancellable.
 void smoothSurfaces(ImageF& depth, const Image<std::uint8_t>& measured, const LabelImage& labels, const Camera& camera,
                     std::span<const SurfaceSmoothing> segments, const Progress& progress);
 

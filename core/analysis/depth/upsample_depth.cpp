@@ -4,26 +4,35 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
+#include "core/analysis/depth/plane_fit.h"
 #include "core/base/parallel.h"
 
 namespace core {
 namespace {
 
-constexpr float kJump = 0.03f;         ///< relative difference between neighbours that is an edge, not a slope
-constexpr float kSideShare = 0.15f;    ///< of the range of inverse depths at an edge: closer to its end is a surface
-constexpr float kMixedShare = 0.03f;   ///< where a weight is half, since the pixel may be mixed of both surfaces
-constexpr float kColorRange = 0.12f;   ///< distance of display-encoded colours at which a weight is a quarter
-constexpr float kSpatialSigma = 0.8f;  ///< in pixels of the map
-constexpr int kRadius = 2;             ///< of the window at edges
+/// Relative difference between neighbours from which there is an edge rather than a slope.
+constexpr float kJump = 0.03f;
+// Fractions of the range of inverse depths at an edge.
+/// Values closer than this to one end belong to the surface there.
+constexpr float kSideShare = 0.15f;
+/// Distance from an end at which a weight is half, since the pixel may be mixed of both surfaces.
+constexpr float kMixedShare = 0.03f;
+/// Distance of display-encoded colours at which a weight is a quarter.
+constexpr float kColorRange = 0.12f;
+/// [pixels of the map]
+constexpr float kSpatialSigma = 0.8f;
+/// Half-width of the window at edges [pixels of the map].
+constexpr int kRadius = 2;
 
-/// Share of the time that averaging the colours takes.
+/// Fraction of the time that averaging the colours takes.
 constexpr float kAveraging = 0.1f;
 
-/// Display encoding, near enough for weights.
+/// Display encoding, accurate enough for weights.
 Vector3f encoded(const Vector3f& color) { return color.cwiseMax(0.0f).cwiseMin(1.0f).cwiseSqrt(); }
 
-/// Mean encoded colour of the photograph's pixels below every pixel of the map.
+/// Mean encoded colour of the photograph's pixels that every pixel of the map covers.
 ImageRgb averageColors(const ImageRgb& guide, int width, int height, const Progress& progress) {
     ImageRgb result(width, height);
     parallelFor(progress, height, [&](int j) {
@@ -62,10 +71,74 @@ std::array<float, 4> splineWeights(float t) {
     return {s * s * s / 6, (3 * t * t * t - 6 * t * t + 4) / 6, (3 * s * s * s - 6 * s * s + 4) / 6, t * t * t / 6};
 }
 
+/// Valid pixels of the map in a window.
+struct EdgeWindow {
+    static constexpr int kTaps = (2 * kRadius + 1) * (2 * kRadius + 1);
+    float values[kTaps], weights[kTaps], us[kTaps], vs[kTaps];
+    int count = 0;
+    float low = 0, high = 0;  ///< range of the values
+    float invalid = 0;        ///< weight of the other pixels
+    float jump = 0;           ///< largest relative difference of neighbours
+
+    void add(float value, float weight, float u, float v) {
+        low = count == 0 ? value : std::min(low, value);
+        high = std::max(high, value);
+        values[count] = value;
+        weights[count] = weight;
+        us[count] = u;
+        vs[count] = v;
+        ++count;
+    }
+};
+
+/// Range of the inverse depths of one surface.
+struct SurfaceRange {
+    float from, to;
+};
+
+/// The surface in a window with the most weight; nullopt when pixels without depth have more. At an edge there are two,
+/// and pixels between them, which are mixed of both, lose their weight.
+std::optional<SurfaceRange> chooseSurface(EdgeWindow& window) {
+    const float range = window.high - window.low;
+    const bool edge = window.jump > kJump;
+    float near = 0, far = 0;
+    for (int k = 0; k < window.count && edge; ++k) {
+        const float toHigh = window.high - window.values[k];
+        const float toLow = window.values[k] - window.low;
+        const float share = std::min(toHigh, toLow) / range;
+        if (share > kSideShare) window.weights[k] = 0;
+        window.weights[k] /= 1 + share * share / (kMixedShare * kMixedShare);
+        (toHigh < toLow ? near : far) += window.weights[k];
+    }
+    for (int k = 0; k < window.count && !edge; ++k) near += window.weights[k];
+    if (window.count == 0 || window.invalid > near + far) return std::nullopt;
+    if (!edge) return SurfaceRange{window.low, window.high};
+    if (near >= far) return SurfaceRange{window.high - kSideShare * range, window.high};
+    return SurfaceRange{window.low, window.low + kSideShare * range};
+}
+
+/// Value at the centre of the weighted plane through a surface's pixels; 0 when they have no weight.
+float planeThrough(const EdgeWindow& window, const SurfaceRange& surface) {
+    const auto [from, to] = surface;
+    analysis::PlaneMoments<float> moments;
+    float least = to, most = from;
+    for (int k = 0; k < window.count; ++k) {
+        const float value = window.values[k];
+        if (value < from || value > to) continue;
+        moments.add(window.us[k], window.vs[k], value - from, window.weights[k]);
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    const auto plane = moments.solve(1e-4f);
+    if (!plane) return 0;
+    const float margin = 0.5f * (most - least);
+    return std::clamp(from + plane->value, std::max(least - margin, 0.5f * least), most + margin);
+}
+
 struct Upsampler {
-    ImageF inverse;  ///< of the map's depth, 0 = invalid
+    ImageF inverse;  ///< [1/m] inverse depth of the map, 0 = invalid
     Image<std::uint8_t> continuous;
-    ImageRgb colors;  ///< of the map's pixels; empty without a guide
+    ImageRgb colors;  ///< mean colours behind the map's pixels; empty without a guide
 
     /// Cubic B-spline about map coordinates (u, v); valid only where the four pixels around are continuous.
     [[nodiscard]] float spline(int i, int j, float fu, float fv) const {
@@ -82,12 +155,16 @@ struct Upsampler {
 
     /// Joint bilateral choice among the surfaces in the window, and the chosen one's plane at (u, v).
     [[nodiscard]] float atEdge(float u, float v, const Vector3f& color) const {
+        EdgeWindow window = windowAbout(u, v, color);
+        const auto surface = chooseSurface(window);
+        return surface ? planeThrough(window, *surface) : 0.0f;
+    }
+
+  private:
+    [[nodiscard]] EdgeWindow windowAbout(float u, float v, const Vector3f& color) const {
         const int ci = std::clamp(static_cast<int>(std::lround(u)), 0, inverse.width() - 1);
         const int cj = std::clamp(static_cast<int>(std::lround(v)), 0, inverse.height() - 1);
-        constexpr int kTaps = (2 * kRadius + 1) * (2 * kRadius + 1);
-        float values[kTaps], weights[kTaps], us[kTaps], vs[kTaps];
-        int count = 0;
-        float low = 0, high = 0, invalid = 0, jump = 0;
+        EdgeWindow window;
         for (int j = std::max(cj - kRadius, 0); j <= std::min(cj + kRadius, inverse.height() - 1); ++j) {
             for (int i = std::max(ci - kRadius, 0); i <= std::min(ci + kRadius, inverse.width() - 1); ++i) {
                 const float du = static_cast<float>(i) - u;
@@ -99,67 +176,15 @@ struct Upsampler {
                 }
                 const float value = inverse(i, j);
                 if (value <= 0) {
-                    invalid += weight;
+                    window.invalid += weight;
                     continue;
                 }
                 for (const float other : {i > 0 ? inverse(i - 1, j) : 0.0f, j > 0 ? inverse(i, j - 1) : 0.0f})
-                    jump = std::max(jump, other > 0 ? std::abs(value - other) / value : 0.0f);
-                low = count == 0 ? value : std::min(low, value);
-                high = std::max(high, value);
-                values[count] = value;
-                weights[count] = weight;
-                us[count] = du;
-                vs[count] = dv;
-                ++count;
+                    window.jump = std::max(window.jump, other > 0 ? std::abs(value - other) / value : 0.0f);
+                window.add(value, weight, du, dv);
             }
         }
-        // Two surfaces: what lies between them was measured at the edge, of both.
-        const float range = high - low;
-        const bool edge = jump > kJump;
-        float near = 0, far = 0;
-        for (int k = 0; k < count && edge; ++k) {
-            const bool isNear = high - values[k] < values[k] - low;
-            const float share = std::min(high - values[k], values[k] - low) / range;
-            if (share > kSideShare) weights[k] = 0;
-            weights[k] /= 1 + share * share / (kMixedShare * kMixedShare);
-            (isNear ? near : far) += weights[k];
-        }
-        for (int k = 0; k < count && !edge; ++k) near += weights[k];
-        if (count == 0 || invalid > near + far) return 0;
-        const float from = !edge ? low : near >= far ? high - kSideShare * range : low;
-        const float to = !edge || near >= far ? high : low + kSideShare * range;
-
-        // Weighted plane through the chosen surface's pixels.
-        float s = 0, su = 0, sv = 0, suu = 0, suv = 0, svv = 0, sw = 0, suw = 0, svw = 0;
-        float least = to, most = from;
-        for (int k = 0; k < count; ++k) {
-            if (values[k] < from || values[k] > to) continue;
-            const float difference = values[k] - from;
-            s += weights[k];
-            su += weights[k] * us[k];
-            sv += weights[k] * vs[k];
-            suu += weights[k] * us[k] * us[k];
-            suv += weights[k] * us[k] * vs[k];
-            svv += weights[k] * vs[k] * vs[k];
-            sw += weights[k] * difference;
-            suw += weights[k] * us[k] * difference;
-            svw += weights[k] * vs[k] * difference;
-            least = std::min(least, values[k]);
-            most = std::max(most, values[k]);
-        }
-        if (!(s > 0)) return 0;
-        const float regularization = 1e-4f * s;
-        const float cuu = suu - su * su / s + regularization;
-        const float cuv = suv - su * sv / s;
-        const float cvv = svv - sv * sv / s + regularization;
-        const float cuw = suw - su * sw / s;
-        const float cvw = svw - sv * sw / s;
-        const float determinant = cuu * cvv - cuv * cuv;
-        const float gu = (cvv * cuw - cuv * cvw) / determinant;
-        const float gv = (cuu * cvw - cuv * cuw) / determinant;
-        const float value = from + (sw - gu * su - gv * sv) / s;
-        const float margin = 0.5f * (most - least);
-        return std::clamp(value, std::max(least - margin, 0.5f * least), most + margin);
+        return window;
     }
 };
 

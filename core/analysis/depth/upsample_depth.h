@@ -6,13 +6,13 @@
 
 namespace core {
 
-/// Enlarges a depth map [m] to width × height, joint bilateral ([KCLU07]) where it has edges: there the surface before
-/// and the surface behind the edge compete for a pixel by distance and by likeness of colour, and the pixel continues
-/// the winner's plane, so that edges of depth follow edges of colour and no pixel lies between the surfaces. Elsewhere
+/// Enlarges a depth map [m] to width × height, joint bilateral ([KCLU07]) where it has edges: there the surfaces in
+/// front of and behind the edge compete for a pixel by distance and similarity of colour, and the pixel lies on the
+/// winner's plane. Thus edges of depth follow edges of colour, and no pixel lies between the surfaces. Elsewhere
 /// inverse depth is interpolated by cubic B-splines: planes stay planes, curved surfaces have no facets. Invalid pixels
-/// (0) compete in the same way: a lone one is filled, a hole remains, with the outline that the colours have.
+/// (0) compete in the same way: a single one is filled, a hole remains, with the outline given by the colours.
 ///
-/// `guide` is the photograph at the new size, or nullptr: then distance alone decides.
+/// `guide`: the photograph at the new size, or nullptr to decide by distance alone.
 [[nodiscard]] ImageF upsampleDepth(const ImageF& depth, int width, int height, const ImageRgb* guide,
                                    const Progress& progress = {});
 

@@ -13,7 +13,7 @@ namespace {
 
 double squareOf(double x) { return x * x; }
 
-/// Calls `body(first, last)` for the cells of every row.
+/// Calls `body(first, last)` with the range of cells of every row.
 template <class Body>
 void forPlateRows(const WeakPlate& plate, const Body& body) {
     tbb::parallel_for(tbb::blocked_range<int>(0, plate.height(), 16), [&](const tbb::blocked_range<int>& rows) {
@@ -21,7 +21,7 @@ void forPlateRows(const WeakPlate& plate, const Body& body) {
     });
 }
 
-/// Σ a b over the plate, summed in the same order whatever the threads; both are 0 outside.
+/// Σ a b over the plate, in an order that does not depend on the threads; both are 0 outside.
 double dotProduct(const WeakPlate& plate, const std::vector<double>& a, const std::vector<double>& b) {
     std::vector<double> rows(static_cast<std::size_t>(plate.height()), 0);
     forPlateRows(plate, [&](std::size_t first, std::size_t last) {
@@ -191,7 +191,7 @@ void WeakPlate::relax(int iterations, const Progress& progress) {
     });
     double before = dotProduct(*this, residual, scaled);
     for (int iteration = 0; iteration < iterations && before > 0; ++iteration) {
-        progress.checkpoint(0);
+        progress.checkpoint(static_cast<float>(iteration) / static_cast<float>(iterations));
         apply(direction, image);
         const double curvature = dotProduct(*this, direction, image);
         if (!(curvature > 0)) return;

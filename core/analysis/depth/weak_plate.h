@@ -9,19 +9,19 @@
 
 namespace core::analysis {
 
-/// A thin plate on a grid of cells, some of them outside: the values v of least energy
+/// A thin plate on a grid of cells, some of them outside: the values v that minimise
 /// Σ trust (v − data)² + length⁴ Σ stiffness (v_xx² + 2 v_xy² + v_yy²). No second difference reaches outside, so the
-/// plate is free at its rim and a plane of any tilt costs nothing. One of a series of levels, each of half the
-/// resolution of the one before.
+/// plate is free at its edge and a plane of any tilt costs nothing. One of a series of levels, each of half the
+/// resolution of the previous one.
 class WeakPlate {
   public:
-    /// `length`: [cells] what is narrower bends more than it costs not to follow the data.
+    /// `length` [cells]: structures narrower than this cost more to follow than to ignore.
     WeakPlate(int width, int height, double length);
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
     [[nodiscard]] double length() const { return length_; }
-    /// Index of a cell; x from −2 to width + 1, y likewise: a border of cells that are outside.
+    /// Index of a cell; x from −2 to width + 1, y from −2 to height + 1: a border of outside cells.
     [[nodiscard]] std::size_t at(int x, int y) const {
         return static_cast<std::size_t>(y + kBorder) * static_cast<std::size_t>(stride_) +
                static_cast<std::size_t>(x + kBorder);
@@ -30,7 +30,7 @@ class WeakPlate {
     [[nodiscard]] std::size_t cellCount() const { return inside_.size(); }
     [[nodiscard]] std::size_t stride() const { return static_cast<std::size_t>(stride_); }
 
-    /// Makes a cell part of the plate, as stiff as any; `trust` 0: nothing was measured there.
+    /// Makes a cell part of the plate, with stiffness 1; `trust` 0 = nothing was measured there.
     void setCell(int x, int y, double data, double trust);
     [[nodiscard]] double data(std::size_t cell) const { return data_[cell]; }
     [[nodiscard]] double value(std::size_t cell) const { return value_[cell]; }
@@ -39,12 +39,12 @@ class WeakPlate {
     void setStiffness(std::size_t cell, double stiffness) { stiffness_[cell] = stiffness; }
 
     [[nodiscard]] WeakPlate coarser() const;
-    /// Means over 2×2 cells of `fine`: data as far as they are trusted, trust and stiffness.
+    /// Sets data, trust and stiffness to means over 2×2 cells of `fine`; data weighted by their trust.
     void restrictFrom(const WeakPlate& fine);
-    /// Takes the values of `coarse`, bilinear, continued with their slope beyond its cells.
+    /// Interpolates the values of `coarse` bilinearly, extrapolated linearly beyond its cells.
     void prolongFrom(const WeakPlate& coarse);
-    /// Conjugate gradients from the values as they are towards those of least energy. The same on any number of
-    /// threads. Cancellable; reports `progress` of `part`.
+    /// Conjugate gradients from the current values towards those of least energy. The same on any number of threads.
+    /// Cancellable.
     void relax(int iterations, const Progress& progress);
 
     /// √(v_xx² + 2 v_xy² + v_yy²) about a cell, of values or data.
@@ -58,14 +58,14 @@ class WeakPlate {
     [[nodiscard]] std::vector<double> continuedValues() const;
     void prepareOperator();
     [[nodiscard]] double diagonal(std::size_t cell) const;
-    /// image = half of the energy's gradient without its constant part, of the cells `of`.
+    /// image = half of the energy's gradient at the values `of`, without its constant part.
     void apply(const std::vector<double>& of, std::vector<double>& image);
 
     int width_, height_, stride_;
     double length_;
     std::vector<std::uint8_t> inside_;
     std::vector<double> trust_, data_, stiffness_, value_;
-    // While relaxing: length⁴ stiffness of each second difference, 0 where one of its cells is outside, and moments.
+    // Used while relaxing: length⁴ stiffness of each second difference, 0 where it reaches outside, and moments.
     std::vector<double> stiffX_, stiffY_, stiffXY_, momentX_, momentY_, momentXY_;
 };
 

@@ -4,24 +4,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/label_table.h"
+#include "core/base/statistics.h"
+
 namespace core::analysis {
 namespace {
 
-constexpr std::size_t kMaxPoints = 4000;   ///< of a support, for its plane
-constexpr float kSeenThrough = 0.02f;      ///< of the distance: what is seen farther beyond the plane shows its end
-constexpr std::size_t kReachPercent = 98;  ///< of the points, for how far it reaches
+/// Number of points of a support that its plane is fitted to, about.
+constexpr std::size_t kMaxPoints = 4000;
+/// Fraction of the distance: a pixel that shows something farther than this beyond the plane shows the plane's end.
+constexpr float kSeenThrough = 0.02f;
+/// Quantile of the points' distances that counts as the reach of a support.
+constexpr double kReachQuantile = 0.98;
 
 }  // namespace
 
 ContinuedSupports::ContinuedSupports(const Camera& camera, const LabelImage& labels, const Surface& front)
     : camera_(camera), front_(front) {
     const std::vector<bool> isSupport = findSupports(labels);
-    std::vector<std::vector<Vector3f>> pointsOf(isSupport.size());
+    LabelTable<std::vector<Vector3f>> pointsOf;
     for (int y = 0; y < labels.height(); ++y)
         for (int x = 0; x < labels.width(); ++x)
             if (isSupport[labels(x, y)] && front.depth(x, y) > 0)
                 pointsOf[labels(x, y)].push_back(front.position(x, y));
-    for (const std::vector<Vector3f>& all : pointsOf) {
+    for (std::size_t label = 0; label < pointsOf.size(); ++label) {
+        const std::vector<Vector3f>& all = pointsOf[label];
         std::vector<Vector3f> points;
         const std::size_t stride = all.size() / kMaxPoints + 1;
         for (std::size_t i = 0; i < all.size(); i += stride) points.push_back(all[i]);
@@ -29,13 +36,11 @@ ContinuedSupports::ContinuedSupports(const Camera& camera, const LabelImage& lab
         if (!plane) continue;
         std::vector<float> distances;
         for (const Vector3f& p : points) distances.push_back(p.norm());
-        const auto far = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * kReachPercent / 100);
-        std::nth_element(distances.begin(), far, distances.end());
-        supports_.push_back({*plane, *far});
+        supports_.push_back({*plane, quantile(distances, kReachQuantile)});
     }
 }
 
-bool ContinuedSupports::goesOnAt(const Vector3f& point) const {
+bool ContinuedSupports::continuesAt(const Vector3f& point) const {
     if (!(point.z() > 0)) return true;
     const Vector2f pixel = camera_.project(point);
     if (!(pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < static_cast<float>(camera_.width) &&
@@ -51,7 +56,7 @@ bool ContinuedSupports::meets(const Vector3f& origin, const Vector3f& direction)
         const float height = support.plane.offset - support.plane.normal.dot(origin);
         if (!(slope > 1e-6f) || !(height > 0)) return false;
         const Vector3f point = origin + height / slope * direction;
-        return point.norm() <= support.reach && goesOnAt(point);
+        return point.norm() <= support.reach && continuesAt(point);
     });
 }
 

@@ -7,16 +7,16 @@
 
 namespace core::analysis {
 
-/// The tables and walls of a photo (`findSupports`) where they are not seen: beyond the border of the picture and
-/// behind what stands on them. A ray that met nothing seen but meets these does not see the environment.
+/// The tables and walls of a photo (`findSupports`) where they are not visible: beyond the border of the picture and
+/// behind what stands on them. A ray that misses everything visible but meets these does not see the environment.
 class ContinuedSupports {
   public:
-    /// A support without a plane that half of it lies on has no continuation.
+    /// Supports are continued only if at least half of their points lie on a plane.
     ContinuedSupports(const Camera& camera, const LabelImage& labels, const Surface& front);
 
     /// Whether the ray, which met nothing in the picture, meets a support's plane from its visible side where the plane
-    /// is taken to go on: no farther from the camera than the support is seen to reach, and not at a pixel that shows
-    /// something beyond the plane or no surface. `direction`: any length.
+    /// is assumed to continue: no farther from the camera than the visible part of the support reaches, and not at a
+    /// pixel that shows something beyond the plane or no surface. `direction`: any length.
     [[nodiscard]] bool meets(const Vector3f& origin, const Vector3f& direction) const;
 
   private:
@@ -24,7 +24,7 @@ class ContinuedSupports {
         SupportPlane plane;
         float reach = 0;  ///< [m] from the camera
     };
-    [[nodiscard]] bool goesOnAt(const Vector3f& point) const;
+    [[nodiscard]] bool continuesAt(const Vector3f& point) const;
 
     const Camera& camera_;
     const Surface& front_;

@@ -6,9 +6,10 @@
 namespace core::analysis {
 namespace {
 
-/// Depth steps [pixel widths]. Beside another thing the object ends where that lies at least this much farther: what is
-/// as near lies in front of it or touches it. A support seen at a small angle falls away even where the object ends.
+// Depth steps [pixel widths].
+/// An object ends beside another one that lies at least this much farther; a nearer one hides or touches it.
 constexpr float kBehind = 1;
+/// A support within this distance touches the object: at a grazing angle its depth changes even along the outline.
 constexpr float kTouchingSupport = 15;
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace core::analysis {
 
-/// One segment among the others, as every way to invent its back sees it.
+/// One segment among the others: the input of every method that invents its back.
 struct SegmentPixels {
     const Camera& camera;
     const LabelImage& labels;
@@ -29,12 +29,12 @@ struct SegmentPixels {
 
 /// What lies beyond a side of a pixel.
 enum class Beyond {
-    Inside,   ///< the segment goes on
-    Outline,  ///< the object ends here: something farther, nothing, or what it stands on
-    Unknown,  ///< the picture ends, or something nearer hides where the object ends
+    Inside,   ///< the segment continues
+    Outline,  ///< the object ends: something farther, nothing, or the support it stands on
+    Unknown,  ///< the end of the object is beyond the picture's border or hidden by something nearer
 };
 [[nodiscard]] Beyond beyond(const SegmentPixels& segment, Pixel pixel, Pixel step);
-/// Whether the segment ends beyond a side of a pixel because what it stands on begins there.
+/// Whether the segment ends beyond a side of a pixel because the support it stands on begins there.
 [[nodiscard]] bool touchesSupport(const SegmentPixels& segment, Pixel pixel, Pixel step);
 
 }  // namespace core::analysis

@@ -9,15 +9,20 @@
 #include <span>
 
 #include "core/analysis/segment/principal_axes.h"
+#include "core/base/label_table.h"
+#include "core/base/pixel.h"
 
 namespace core::analysis {
 namespace {
 
-constexpr int kOutlineReach = 12;  ///< [px] from the outline, in steps of `kReachStep`
+/// Largest distance [px] from the outline at which points of the support are taken, and their spacing.
+constexpr int kOutlineReach = 12;
 constexpr int kReachStep = 3;
-constexpr float kInlierWidths = 3;  ///< pixel widths off the plane
-constexpr double kMinInliers = 0.5;
-constexpr double kMaxBeyond = 0.1;  ///< part of the segment that may lie beyond its support
+/// Largest distance of an inlier from the plane [pixel widths].
+constexpr float kInlierWidths = 3;
+constexpr double kMinInlierFraction = 0.5;
+/// Largest fraction of a segment that may lie beyond the support it stands on.
+constexpr double kMaxBeyond = 0.1;
 constexpr int kTrials = 60;
 constexpr std::size_t kMinPoints = 12;
 
@@ -40,11 +45,12 @@ std::vector<Vector3f> supportPointsAround(const SegmentPixels& segment) {
 }  // namespace
 
 std::vector<bool> findSupports(const LabelImage& labels) {
+    /// Sides of pixels along the outline of a segment.
     struct Outline {
         std::size_t length = 0;
-        std::array<std::size_t, 4> sides{};
+        std::array<std::size_t, 4> atBorder{};  ///< left, right, top, bottom
     };
-    std::vector<Outline> outlines(65536);
+    LabelTable<Outline> outlines;
     const int width = labels.width();
     const int height = labels.height();
     for (int y = 0; y < height; ++y) {
@@ -52,10 +58,9 @@ std::vector<bool> findSupports(const LabelImage& labels) {
             const std::uint16_t label = labels(x, y);
             if (label == 0) continue;
             const std::array<bool, 4> border{x == 0, x == width - 1, y == 0, y == height - 1};
-            const std::array<std::array<int, 2>, 4> neighbors{{{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}};
             for (std::size_t k = 0; k < 4; ++k) {
-                if (border[k]) ++outlines[label].sides[k];
-                if (border[k] || labels(neighbors[k][0], neighbors[k][1]) != label) ++outlines[label].length;
+                if (border[k]) ++outlines[label].atBorder[k];
+                if (border[k] || labels(x + kNeighbors[k].x, y + kNeighbors[k].y) != label) ++outlines[label].length;
             }
         }
     }
@@ -69,15 +74,14 @@ std::vector<bool> findSupports(const LabelImage& labels) {
     return supports;
 }
 
-std::optional<SupportPlane> fitPlane(std::span<const Vector3f> points, float pixelWidth) {
-    if (points.size() < kMinPoints) return std::nullopt;
-    const auto distance = [](const SupportPlane& plane, const Vector3f& p) {
-        return std::abs(plane.normal.dot(p) - plane.offset);
-    };
-    const auto isInlier = [&](const SupportPlane& plane, const Vector3f& p) {
-        return distance(plane, p) < kInlierWidths * pixelWidth * p.z();
-    };
+namespace {
 
+bool isInlier(const SupportPlane& plane, const Vector3f& p, float pixelWidth) {
+    return std::abs(plane.normal.dot(p) - plane.offset) < kInlierWidths * pixelWidth * p.z();
+}
+
+/// The plane through three of the points with the most inliers among a subset.
+SupportPlane bestOfTrials(std::span<const Vector3f> points, float pixelWidth) {
     std::mt19937 random(1);
     SupportPlane best;
     std::size_t bestCount = 0;
@@ -90,18 +94,26 @@ std::optional<SupportPlane> fitPlane(std::span<const Vector3f> points, float pix
         if (!(cross.norm() > 1e-3f * (b - a).norm() * (c - a).norm())) continue;
         const SupportPlane plane{cross.normalized(), cross.normalized().dot(a)};
         std::size_t count = 0;
-        for (std::size_t i = 0; i < points.size(); i += stride) count += isInlier(plane, points[i]) ? 1 : 0;
+        for (std::size_t i = 0; i < points.size(); i += stride) count += isInlier(plane, points[i], pixelWidth) ? 1 : 0;
         if (count > bestCount) {
             bestCount = count;
             best = plane;
         }
     }
-    std::vector<Vector3f> inliers;
-    std::ranges::copy_if(points, std::back_inserter(inliers), [&](const Vector3f& p) { return isInlier(best, p); });
-    if (inliers.size() < kMinPoints ||
-        static_cast<double>(inliers.size()) < kMinInliers * static_cast<double>(points.size()))
-        return std::nullopt;
+    return best;
+}
 
+}  // namespace
+
+std::optional<SupportPlane> fitPlane(std::span<const Vector3f> points, float pixelWidth) {
+    if (points.size() < kMinPoints) return std::nullopt;
+    const SupportPlane best = bestOfTrials(points, pixelWidth);
+    std::vector<Vector3f> inliers;
+    std::ranges::copy_if(points, std::back_inserter(inliers),
+                         [&](const Vector3f& p) { return isInlier(best, p, pixelWidth); });
+    if (inliers.size() < kMinPoints ||
+        static_cast<double>(inliers.size()) < kMinInlierFraction * static_cast<double>(points.size()))
+        return std::nullopt;
     const auto axes = principalAxes(inliers);
     if (!axes) return std::nullopt;
     const Eigen::Vector3d normal = axes->eigenvectors.col(0);

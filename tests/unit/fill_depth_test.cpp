@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Depth continued into what a sensor missed or got wrong.
-#include "core/analysis/depth/continue_depth.h"
+// Missing and wrong depth filled from the surface around it.
+#include "core/analysis/depth/fill_depth.h"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +10,14 @@
 namespace {
 
 using core::ImageF;
+using core::LabelImage;
 
 constexpr int kGappedWidth = 100, kGappedHeight = 60;
 
 /// A segment that ends 10 pixels from the right border, on a plane in inverse depth, beside another one.
 struct GappedScene {
     core::Camera camera{kGappedWidth, kGappedHeight, 500, 500, 0.5f * kGappedWidth, 0.5f * kGappedHeight};
-    core::LabelImage labels{kGappedWidth, kGappedHeight, 7};
+    LabelImage labels{kGappedWidth, kGappedHeight, 7};
     ImageF truth{kGappedWidth, kGappedHeight, 0.5f};
     ImageF depth;
     core::analysis::DepthGaps gaps{core::Image<std::uint8_t>(kGappedWidth, kGappedHeight, 0), 8, 16};
@@ -34,7 +35,7 @@ struct GappedScene {
         for (int y = 0; y < kGappedHeight; ++y)
             for (int x = first; x < kGappedWidth - 10; ++x) gaps.isGap(x, y) = 1, depth(x, y) = 0;
     }
-    void run() { core::analysis::continueDepth(depth, labels, camera, gaps, {}); }
+    void run() { core::analysis::fillWithPlanes(depth, labels, camera, gaps, {}); }
     [[nodiscard]] float worst() const {
         float result = 0;
         for (std::size_t i = 0; i < depth.size(); ++i)
@@ -43,7 +44,7 @@ struct GappedScene {
     }
 };
 
-TEST(ContinueDepth, ASlopeGoesOnToAnOpenOutline) {
+TEST(FillWithPlanes, ASlopeGoesOnToAnOpenOutline) {
     GappedScene scene(0.004f);
     scene.removeFrom(78);
     scene.run();
@@ -52,7 +53,7 @@ TEST(ContinueDepth, ASlopeGoesOnToAnOpenOutline) {
     for (int y = 0; y < kGappedHeight; ++y) ASSERT_EQ(scene.depth(95, y), 0.5f) << "another segment";
 }
 
-TEST(ContinueDepth, JaggedPixelsBesideTheGapDoNotRunOnIntoIt) {
+TEST(FillWithPlanes, JaggedPixelsBesideTheGapDoNotRunOnIntoIt) {
     GappedScene scene(0.001f);
     scene.removeFrom(78);
     for (int y = 0; y < kGappedHeight; ++y)
@@ -65,7 +66,7 @@ TEST(ContinueDepth, JaggedPixelsBesideTheGapDoNotRunOnIntoIt) {
     EXPECT_LT(worst, 0.006f);
 }
 
-TEST(ContinueDepth, WhatIsFarFromAnythingKnownIsLeft) {
+TEST(FillWithPlanes, WhatIsFarFromAnythingKnownIsLeft) {
     GappedScene scene(0.001f);
     scene.removeFrom(60);
     scene.run();
@@ -77,7 +78,7 @@ TEST(ContinueDepth, WhatIsFarFromAnythingKnownIsLeft) {
         }
 }
 
-TEST(ContinueDepth, NoisySlopesStaySmoothAndBelowTheLimit) {
+TEST(FillWithPlanes, NoisySlopesStaySmoothAndBelowTheLimit) {
     GappedScene scene(0);
     scene.removeFrom(78);
     // A step of half a metre right before the gap: 16 pixels of such a slope would lead to the horizon.
@@ -88,6 +89,48 @@ TEST(ContinueDepth, NoisySlopesStaySmoothAndBelowTheLimit) {
     for (int y = 0; y < kGappedHeight; ++y)
         for (int x = 82; x + 1 < kGappedWidth - 10; ++x)
             ASSERT_LT(std::abs(scene.depth(x, y) / scene.depth(x + 1, y) - 1), 2 * limit) << x << ' ' << y;
+}
+
+TEST(FillWithMembrane, SpansHolesFromTheSegmentOnly) {
+    LabelImage labels(40, 30, 0);
+    ImageF depth(40, 30, 0.0f);
+    for (int y = 0; y < 30; ++y) {
+        for (int x = 0; x < 40; ++x) {
+            if (x < 20) labels(x, y) = 1;
+            if (x >= 24) labels(x, y) = 2;
+            // A plane in inverse depth is harmonic, so the membrane over a hole inside it is that plane.
+            if (labels(x, y) == 1) depth(x, y) = 1.0f / (1.0f + 0.01f * static_cast<float>(x + y));
+            if (labels(x, y) == 2) depth(x, y) = 5.0f;
+        }
+    }
+    for (int y = 8; y < 20; ++y)
+        for (int x = 5; x < 14; ++x) depth(x, y) = 0;
+    for (int y = 0; y < 30; ++y) depth(24, y) = 0;
+
+    core::analysis::fillWithMembrane(depth, labels);
+    for (int y = 8; y < 20; ++y)
+        for (int x = 5; x < 14; ++x)
+            EXPECT_NEAR(1.0f / depth(x, y), 1.0f + 0.01f * static_cast<float>(x + y), 1e-3f) << x << ' ' << y;
+    for (int y = 0; y < 30; ++y) {
+        EXPECT_NEAR(depth(24, y), 5.0f, 1e-4f);  // continued from its own segment, not from the nearer one
+        EXPECT_EQ(depth(22, y), 0.0f);           // unlabelled: distant
+    }
+}
+
+TEST(FillWithMembrane, LeavesValidPixelsAndEmptySegmentsAlone) {
+    LabelImage labels(8, 8, 3);
+    ImageF depth(8, 8, 2.0f);
+    depth(4, 4) = 0;
+    for (int y = 0; y < 8; ++y) labels(0, y) = 4, depth(0, y) = 0;
+    core::analysis::fillWithMembrane(depth, labels);
+    EXPECT_NEAR(depth(4, 4), 2.0f, 1e-5f);
+    for (int y = 0; y < 8; ++y) {
+        EXPECT_EQ(depth(0, y), 0.0f);  // nothing is known of segment 4
+        for (int x = 1; x < 8; ++x) {
+            if (x == 4 && y == 4) continue;
+            EXPECT_EQ(depth(x, y), 2.0f);
+        }
+    }
 }
 
 }  // namespace

@@ -86,12 +86,12 @@ std::vector<std::size_t> breakRim(Shown& scene, unsigned seed, bool depthToo) {
     return wrong;
 }
 
-TEST(SettleNormals, ABrokenRimFollowsWhatIsBesideIt) {
+TEST(RepairNormals, ABrokenRimFollowsWhatIsBesideIt) {
     const Shown truth = shown(sphere);
     Shown broken = truth;
     const std::vector<std::size_t> wrong = breakRim(broken, 1, false);
     Shown settled = broken;
-    core::analysis::settleNormals(settled.surface, settled.labels, settled.camera, 1, core::Progress());
+    core::analysis::repairNormals(settled.surface, settled.labels, settled.camera, 1, core::Progress());
     std::vector<float> before, after;
     for (const std::size_t i : wrong) {
         before.push_back(degrees(broken.surface.normal[i], truth.surface.normal[i]));
@@ -107,12 +107,12 @@ TEST(SettleNormals, ABrokenRimFollowsWhatIsBesideIt) {
         }
 }
 
-TEST(SettleNormals, DepthFollowsTheNormals) {
+TEST(RepairNormals, DepthFollowsTheNormals) {
     const Shown truth = shown(
         [](float u, float v) -> Vector3f { return std::hypot(u, v) < 1 ? Vector3f(0, 0, -1) : Vector3f(0, 0, 0); });
     Shown broken = truth;
     const std::vector<std::size_t> wrong = breakRim(broken, 2, true);
-    core::analysis::settleNormals(broken.surface, broken.labels, broken.camera, 1, core::Progress());
+    core::analysis::repairNormals(broken.surface, broken.labels, broken.camera, 1, core::Progress());
     std::vector<float> off;
     for (const std::size_t i : wrong) {
         off.push_back(std::abs(broken.surface.depth[i] - 1));
@@ -121,11 +121,11 @@ TEST(SettleNormals, DepthFollowsTheNormals) {
     EXPECT_LT(median(off), 2e-4) << "rays that start in a dent hit its walls";
 }
 
-TEST(SettleNormals, CreasesRimsAndWhatHasNoLabelStay) {
+TEST(RepairNormals, CreasesRimsAndWhatHasNoLabelStay) {
     for (const auto& normal : {sphere, crease}) {
         const Shown truth = shown(normal);
         Shown settled = truth;
-        core::analysis::settleNormals(settled.surface, settled.labels, settled.camera, 1, core::Progress());
+        core::analysis::repairNormals(settled.surface, settled.labels, settled.camera, 1, core::Progress());
         int changed = 0, count = 0;
         for (std::size_t i = 0; i < truth.labels.size(); ++i) {
             if (truth.labels[i] != 0) ++count;
@@ -135,7 +135,7 @@ TEST(SettleNormals, CreasesRimsAndWhatHasNoLabelStay) {
         settled = truth;
         for (std::size_t i = 0; i < truth.labels.size(); ++i) settled.labels[i] = 0;
         settled.surface.normal(60, 60) = Vector3f(1, 0, 0);
-        core::analysis::settleNormals(settled.surface, settled.labels, settled.camera, 1, core::Progress());
+        core::analysis::repairNormals(settled.surface, settled.labels, settled.camera, 1, core::Progress());
         EXPECT_EQ(settled.surface.normal(60, 60), Vector3f(1, 0, 0));
     }
 }
