@@ -1962,14 +1962,6 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
         <translation>Tiefen mit größerem Verhältnis mischen sich nicht</translation>
     </message>
     <message>
-        <source>Fill holes to</source>
-        <translation>Löcher bis</translation>
-    </message>
-    <message>
-        <source>Holes up to this radius inside one segment are filled [pixels]</source>
-        <translation>Löcher bis zu diesem Radius in einem Segment werden gefüllt [Pixel]</translation>
-    </message>
-    <message>
         <source>Picture</source>
         <translation>Bild</translation>
     </message>

@@ -153,7 +153,7 @@ void readDepthFilter(const json& value, DepthFilterParams& params) {
     reader.read("spatial_sigma", params.spatialSigma, 0.1f, 100.0f);
     reader.read("color_sigma", params.colorSigma, 1e-4f, 100.0f);
     reader.read("depth_sigma", params.depthSigma, 1e-6f, 100.0f);
-    reader.read("hole_radius", params.holeRadius, 0, 1000);
+    (void)reader.find("hole_radius");  // written by older versions, which had a second way to fill holes
     reader.finish();
 }
 
@@ -271,8 +271,7 @@ ordered_json writeScene(const Scene& scene, const fs::path& folder) {
                               {"automatic", scene.depthFilter.automatic},
                               {"spatial_sigma", toJson(scene.depthFilter.spatialSigma)},
                               {"color_sigma", toJson(scene.depthFilter.colorSigma)},
-                              {"depth_sigma", toJson(scene.depthFilter.depthSigma)},
-                              {"hole_radius", scene.depthFilter.holeRadius}};
+                              {"depth_sigma", toJson(scene.depthFilter.depthSigma)}};
     ordered_json& environment = result["environment"];
     if (!scene.environment.path.empty()) environment["path"] = relativeTo(folder, scene.environment.path);
     environment["rotation"] = toJson(scene.environment.rotation);

@@ -75,15 +75,13 @@ struct Segment {
     bool operator==(const Segment&) const = default;
 };
 
-/// Joint bilateral filter of the depth map and hole handling (docs/method.md#depth).
+/// Joint bilateral filter of the depth map (docs/method.md#depth).
 struct DepthFilterParams {
     bool enabled = true;
     bool automatic = true;      ///< the three widths follow the measured noise; the values below are not used
     float spatialSigma = 2.0f;  ///< [px]
     float colorSigma = 0.1f;    ///< in display-encoded colour, [0, 1]
     float depthSigma = 0.01f;   ///< relative depth difference |Δz|/z
-    int holeRadius =
-        3;  ///< holes up to this radius [px] inside one segment continue its slope; larger ones are spanned
     bool operator==(const DepthFilterParams&) const = default;
 };
 

@@ -195,7 +195,7 @@ TEST_F(ProjectTest, WrongTypesAndRangesAreNamed) {
         {"/segments/0/smoothing", 200.5, {"segments[0].smoothing", "is 200.5", "[0, 200]"}},
         {"/segments/0/smoothing", "much", {"segments[0].smoothing", "much"}},
         {"/segments/0/edit", {{"brdf", "ggx"}, {"alpha", 7}}, {"segments[0].edit.alpha", "is 7", "[0.01, 1]"}},
-        {"/depth_filter/hole_radius", 2.5, {"depth_filter.hole_radius", "2.5", "whole number"}},
+        {"/depth_filter/spatial_sigma", "wide", {"depth_filter.spatial_sigma", "wide"}},
         {"/render/samples", 0, {"render.samples", "is 0", "1 to 1000000"}},
         {"/render/seed", -1, {"render.seed", "-1", "4294967295"}},
         {"/environment/scale", "big", {"environment.scale"}},

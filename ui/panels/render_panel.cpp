@@ -98,9 +98,6 @@ RenderPanel::RenderPanel(Workspace& workspace, QWidget* parent) : Panel(workspac
                                   .logarithmic = true,
                                   .decimals = 4},
                                  [](core::Scene& s, float v) { s.depthFilter.depthSigma = v; });
-    holeRadius_ = addNumber("depthHoleRadius", tr("Fill holes to"),
-                            tr("Holes up to this radius inside one segment are filled [pixels]"), 0, 64,
-                            [](core::Scene& s, int v) { s.depthFilter.holeRadius = v; });
 
     auto* picture = new QGroupBox(tr("Picture"), this);
     auto* pictureForm = new QFormLayout(picture);
@@ -121,7 +118,6 @@ RenderPanel::RenderPanel(Workspace& workspace, QWidget* parent) : Panel(workspac
     depthForm->addRow(spatialSigma_);
     depthForm->addRow(colorSigma_);
     depthForm->addRow(depthSigma_);
-    depthForm->addRow(tr("Fill holes to"), holeRadius_);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
@@ -163,7 +159,6 @@ void RenderPanel::refresh() {
     show(seed_, static_cast<int>(std::min(render.seed, std::uint32_t{std::numeric_limits<int>::max()})));
     show(surfaceSamples_, render.surfaceSamples);
     show(irradianceSamples_, render.irradianceSamples);
-    show(holeRadius_, depth.holeRadius);
     diffusionQuality_->setCurrentIndex(static_cast<int>(render.diffusionQuality));
     filter_->setChecked(render.filter);
     depthFilter_->setChecked(depth.enabled);

@@ -35,7 +35,6 @@ class RenderPanel : public Panel {
     ParamSlider* spatialSigma_ = nullptr;
     ParamSlider* colorSigma_ = nullptr;
     ParamSlider* depthSigma_ = nullptr;
-    QSpinBox* holeRadius_ = nullptr;
 };
 
 }  // namespace ui

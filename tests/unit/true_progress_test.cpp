@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Progress that follows time: a step that reports one half is about half done.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "core/analysis/pipeline.h"
+#include "core/base/clock.h"
+#include "core/base/statistics.h"
+#include "core/io/image_io.h"
+#include "core/io/project.h"
+
+namespace {
+
+using core::Scene;
+using core::Task;
+
+struct Report {
+    double seconds;
+    float fraction;
+};
+
+/// One run of one step.
+struct StepRun {
+    double seconds = 0;
+    float halfway = 0;  ///< fraction reported last before half of the time had passed
+};
+
+std::map<Task, StepRun> runSteps(const Scene& scene) {
+    std::map<Task, std::vector<Report>> reports;
+    std::mutex mutex;
+    const auto start = core::Clock::now();
+    core::AnalysisPipeline pipeline;
+    (void)pipeline.run(scene, core::Progress([&](Task task, float fraction) {
+                           const std::scoped_lock lock(mutex);
+                           reports[task].push_back({core::secondsSince(start), fraction});
+                       }));
+    std::map<Task, StepRun> runs;
+    for (const auto& [task, all] : reports) {
+        StepRun& run = runs[task];
+        run.seconds = all.back().seconds - all.front().seconds;
+        for (const Report& report : all)
+            if (report.seconds - all.front().seconds <= 0.5 * run.seconds) run.halfway = report.fraction;
+    }
+    return runs;
+}
+
+/// Steps shorter than this are not worth a bar, and their times mostly measure the scheduler.
+constexpr double kMinSeconds = 0.05;
+
+void expectTrueProgress(const Scene& scene) {
+    constexpr std::size_t kRuns = 3;  // the median is robust against other work on the machine
+    std::map<Task, std::array<StepRun, kRuns>> all;
+    for (std::size_t i = 0; i < kRuns; ++i)
+        for (const auto& [task, run] : runSteps(scene)) all[task][i] = run;
+    for (const auto& [task, runs] : all) {
+        std::vector<double> seconds;
+        std::vector<float> halfway;
+        for (const StepRun& run : runs) {
+            seconds.push_back(run.seconds);
+            halfway.push_back(run.halfway);
+        }
+        const double time = core::median(seconds);
+        const float fraction = core::median(halfway);
+        std::printf("task %d: %.3f s, at half of it %.0f %%\n", static_cast<int>(task), time,
+                    100 * static_cast<double>(fraction));
+        if (time < kMinSeconds) continue;
+        EXPECT_GT(fraction, 0.35f) << "task " << static_cast<int>(task) << ", " << time << " s";
+        EXPECT_LT(fraction, 0.65f) << "task " << static_cast<int>(task) << ", " << time << " s";
+    }
+}
+
+Scene studio() { return core::loadProject(PATINA_SAMPLES "/studio/studio.patina"); }
+
+TEST(TrueProgress, OfExactDepth) { expectTrueProgress(studio()); }
+
+TEST(TrueProgress, OfNoisyDepth) {
+    Scene scene = studio();
+    auto photo = std::make_shared<core::Photo>(*scene.photo);
+    photo->depth = core::loadScalar(PATINA_SAMPLES "/studio/depth_mm.png");
+    for (float& z : photo->depth.pixels()) z *= 0.001f;
+    scene.photo = photo;
+    expectTrueProgress(scene);
+}
+
+}  // namespace
