@@ -1399,14 +1399,6 @@
         <translation>Tiefen trennen, die sich um mehr als diesen Anteil unterscheiden</translation>
     </message>
     <message>
-        <source>Fill holes to</source>
-        <translation>Löcher bis</translation>
-    </message>
-    <message>
-        <source>Fill holes up to this radius inside one segment</source>
-        <translation>Löcher bis zu diesem Radius innerhalb eines Segments füllen</translation>
-    </message>
-    <message>
         <source>Rotation</source>
         <translation>Drehung</translation>
     </message>

@@ -8,11 +8,13 @@ namespace core {
 class AnalysisKernels;  // core/analysis/kernels.h
 [[nodiscard]] AnalysisKernels& cpuAnalysisKernels();
 
-/// What a step works with: how it reports and is cancelled, and who computes its data-parallel parts.
+/// Environment of a running step: its progress, through which it is cancelled, and the kernels for its expensive parts.
 struct StepContext {
     Progress progress = {};
     AnalysisKernels& kernels = cpuAnalysisKernels();
-    [[nodiscard]] StepContext part(float from, float to) const { return {progress.part(from, to), kernels}; }
+    [[nodiscard]] StepContext part(float from, float to) const { return with(progress.part(from, to)); }
+    /// The same kernels with another progress.
+    [[nodiscard]] StepContext with(const Progress& other) const { return {other, kernels}; }
 };
 
 }  // namespace core

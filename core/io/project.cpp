@@ -149,6 +149,8 @@ Scene readProject(const std::string& path, Notes* notes, const Progress& progres
     paths.read(reader, "back_depth", scene.backDepthPath);
     readParams(reader, sceneParams(), scene, [&](std::string_view object, JsonReader& inner) {
         if (object == "environment") paths.read(inner, "path", scene.environment.path);
+        // Files of versions that had a second way to fill holes.
+        if (object == "depth_filter") (void)inner.find("hole_radius");
     });
     reader.finish();
 

@@ -40,6 +40,24 @@ struct TiffDirectory {
     TiffArray sizes;
 };
 
+struct TiffEntry {
+    std::uint64_t tag = 0;
+    std::uint64_t type = 0;
+    std::uint64_t count = 0;
+    std::uint64_t inside = 0;   ///< place of the values if they fit into the entry
+    std::uint64_t pointer = 0;  ///< place of the values if they do not
+};
+
+/// The entry at `at`, with counts and offsets of `word` bytes; nullopt behind the end of the file.
+std::optional<TiffEntry> readEntry(const TiffBytes& file, std::uint64_t at, std::uint64_t word) {
+    const auto tag = file.integer(at, 2);
+    const auto type = file.integer(at + 2, 2);
+    const auto count = file.integer(at + 4, word);
+    const auto pointer = file.integer(at + 4 + word, word);
+    if (!tag || !type || !count || !pointer) return std::nullopt;
+    return TiffEntry{*tag, *type, *count, at + 4 + word, *pointer};
+}
+
 /// The first directory; nullopt if it is damaged. `fileSize` in bytes.
 std::optional<TiffDirectory> readDirectory(const TiffBytes& file, std::size_t fileSize) {
     const bool big = file.integer(2, 2) == 43U;
@@ -51,18 +69,15 @@ std::optional<TiffDirectory> readDirectory(const TiffBytes& file, std::size_t fi
     if (!entries || *entries > 65535) return std::nullopt;
     TiffDirectory result;
     for (std::uint64_t i = 0; i < *entries; ++i) {
-        const std::uint64_t at = *directory + (big ? 8 : 2) + entryBytes * i;
-        const auto tag = file.integer(at, 2);
-        const auto type = file.integer(at + 2, 2);
-        const auto count = file.integer(at + 4, word);
-        const auto pointer = file.integer(at + 4 + word, word);
-        if (!tag || !type || !count || !pointer) return std::nullopt;
-        const bool isOffsets = *tag == 273 || *tag == 324;  // StripOffsets, TileOffsets
-        const bool isSizes = *tag == 279 || *tag == 325;    // StripByteCounts, TileByteCounts
+        const auto entry = readEntry(file, *directory + (big ? 8 : 2) + entryBytes * i, word);
+        if (!entry) return std::nullopt;
+        const bool isOffsets = entry->tag == 273 || entry->tag == 324;  // StripOffsets, TileOffsets
+        const bool isSizes = entry->tag == 279 || entry->tag == 325;    // StripByteCounts, TileByteCounts
         if (!isOffsets && !isSizes) continue;
-        const std::uint64_t size = valueSize(*type);
-        if (size == 0 || *count > fileSize) return std::nullopt;
-        (isOffsets ? result.offsets : result.sizes) = {*count * size <= word ? at + 4 + word : *pointer, size, *count};
+        const std::uint64_t size = valueSize(entry->type);
+        if (size == 0 || entry->count > fileSize) return std::nullopt;
+        const bool fits = entry->count * size <= word;
+        (isOffsets ? result.offsets : result.sizes) = {fits ? entry->inside : entry->pointer, size, entry->count};
     }
     return result;
 }

@@ -266,14 +266,6 @@ std::vector<SceneParam> depthFilterParams() {
              .decimals = 4,
              .stage = Geometry,
              .group = ParamGroup::Depth}),
-        at<&Scene::depthFilter, &DepthFilterParams::holeRadius>(
-            {.key = "depth_filter.hole_radius",
-             .label = PARAM_LABEL("scene", "Fill holes to"),
-             .help = PARAM_LABEL("scene", "Fill holes up to this radius inside one segment"),
-             .unit = kPixels,
-             .legal = {0, 1000},
-             .stage = Geometry,
-             .group = ParamGroup::Depth}),
     };
 }
 

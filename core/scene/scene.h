@@ -96,15 +96,13 @@ struct Segment {
     bool operator==(const Segment&) const = default;
 };
 
-/// Joint bilateral filter of the depth map and hole handling (docs/method.md#depth).
+/// Joint bilateral filter of the depth map (docs/method.md#depth).
 struct DepthFilterParams {
     bool enabled = true;
     bool automatic = true;      ///< the three widths follow the measured noise instead of the values below
     float spatialSigma = 2.0f;  ///< [px]
     float colorSigma = 0.1f;    ///< in display-encoded colour, [0, 1]
     float depthSigma = 0.01f;   ///< relative depth difference |Δz|/z
-    /// Holes up to this radius [px] inside one segment continue its slope; larger ones are spanned.
-    int holeRadius = 3;
     bool operator==(const DepthFilterParams&) const = default;
 };
 

@@ -6,6 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
+
+#include "tests/support/ray_scene.h"
 
 namespace {
 
@@ -131,6 +135,44 @@ TEST(FillWithMembrane, LeavesValidPixelsAndEmptySegmentsAlone) {
             EXPECT_EQ(depth(x, y), 2.0f);
         }
     }
+}
+
+/// Largest error [m] in holes of 1, 4 × 4 and 1 × 30 pixels that are cut into an exact photograph and filled.
+float worstFilledHole(const test::RayScene& scene) {
+    core::Photo photo = scene.photograph();
+    const ImageF truth = photo.depth;
+    std::vector<std::size_t> holes;
+    const auto punch = [&](int x0, int y0, int width, int height) {
+        for (int y = y0; y < y0 + height; ++y)
+            for (int x = x0; x < x0 + width; ++x) {
+                EXPECT_GT(photo.depth(x, y), 0);
+                photo.depth(x, y) = 0;
+                holes.push_back(photo.depth.index(x, y));
+            }
+    };
+    punch(170, 115, 1, 1);
+    punch(150, 110, 4, 4);
+    punch(140, 100, 1, 30);
+    core::analysis::fillDepth(photo.depth, photo, true, {});
+    EXPECT_EQ(photo.depth(0, 0), 0) << "the background stays distant";
+    float worst = 0;
+    for (const std::size_t i : holes) worst = std::max(worst, std::abs(photo.depth[i] - truth[i]));
+    return worst;
+}
+
+TEST(FillDepth, SmallHolesOfExactDepthFollowTheSurface) {
+    test::RayScene square;
+    square.camera = test::testCamera(320, 240);
+    square.objects.push_back(
+        {1,
+         std::make_shared<test::Box>(Eigen::Vector3d(0.02, -0.01, 1), Eigen::Vector3d(0.3, 0.3, 1e-6),
+                                     test::rotation(0.8, {0.3, 1, 0})),
+         {}});
+    EXPECT_LT(worstFilledHole(square), 1e-5f);
+    test::RayScene ball;
+    ball.camera = test::testCamera(320, 240);
+    ball.objects.push_back({1, std::make_shared<test::Sphere>(Eigen::Vector3d(0, 0, 1), 0.25), {}});
+    EXPECT_LT(worstFilledHole(ball), 2e-4f) << "with the margin of measured depth it would be more";
 }
 
 }  // namespace

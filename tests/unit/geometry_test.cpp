@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/analysis/depth/fill_depth.h"
 #include "core/analysis/depth/filter_depth.h"
 #include "core/analysis/depth/normals.h"
 #include "tests/support/ray_scene.h"
@@ -261,30 +260,6 @@ TEST_F(FilterTest, NothingCrossesLabelsOrInvalidPixels) {
     }
     const ImageF filtered = filter(photo, photo.depth, 0.01f);
     for (std::size_t i = 0; i < filtered.size(); ++i) EXPECT_EQ(filtered[i], photo.depth[i]);
-}
-
-TEST_F(FilterTest, SmallHolesInsideASegmentAreClosed) {
-    const core::Photo photo = tiltedSquare(0.8, 0.3).photograph();
-    ImageF depth = photo.depth;
-    // One small hole, one large, and a scratch; all on the square.
-    const auto punch = [&](int x0, int y0, int w, int h) {
-        for (int y = y0; y < y0 + h; ++y)
-            for (int x = x0; x < x0 + w; ++x) {
-                ASSERT_GT(depth(x, y), 0);
-                depth(x, y) = 0;
-            }
-    };
-    core::LabelImage labels = photo.labels;
-    punch(150, 110, 4, 4);
-    punch(160, 120, 16, 12);
-    punch(140, 100, 1, 30);
-    core::analysis::fillSmallHoles(depth, labels, 3);
-    for (int y = 110; y < 114; ++y)
-        for (int x = 150; x < 154; ++x) EXPECT_NEAR(depth(x, y), photo.depth(x, y), 1e-5f);
-    for (int y = 100; y < 130; ++y) EXPECT_NEAR(depth(140, y), photo.depth(140, y), 1e-5f);
-    EXPECT_EQ(depth(168, 126), 0);
-    EXPECT_EQ(depth(161, 121), 0);
-    EXPECT_EQ(depth(0, 0), 0) << "background stays distant";
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ TEST_F(PipelineTest, CancellingKeepsWhatWasFinished) {
     (void)pipeline.run(scene);
     newRuns();
     const Scene old = scene;
-    scene.depthFilter.holeRadius = 5;
+    scene.depthFilter.spatialSigma = 5;
 
     std::atomic<bool> stop{false};
     const core::Progress progress(

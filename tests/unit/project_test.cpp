@@ -210,7 +210,7 @@ TEST_F(ProjectTest, TheOrderOfKeysInAFile) {
                   R"("plane_shift":0.0,"thickness_scale":1.0,"min_thickness":0.002},"reflectance":[0.5,0.25,1.0],)"
                   R"("lobe_width":0.1,"smoothing":3.0})");
     expectWritten(saved["depth_filter"], R"({"enabled":true,"automatic":true,"spatial_sigma":2.0,"color_sigma":0.1,)"
-                                         R"("depth_sigma":0.01,"hole_radius":3})");
+                                         R"("depth_sigma":0.01})");
     expectWritten(saved["environment"], R"({"path":"env.pfm","rotation":0.0,"scale":1.0,"height":128,)"
                                         R"("use":"replace","fill":"membrane"})");
     expectWritten(saved["render"], R"({"samples":64,"time_limit":0.0,"seed":1,"bounces":4,"filter":true,)"
@@ -219,6 +219,16 @@ TEST_F(ProjectTest, TheOrderOfKeysInAFile) {
     std::string keys;
     for (const auto& [key, value] : saved.items()) keys += key + ' ';
     EXPECT_EQ(keys, "format version photo segments depth_filter environment back_depth render ");
+}
+
+TEST_F(ProjectTest, AFileWithTheFormerRadiusOfHolesOpensAndLosesIt) {
+    json project = document();
+    project["depth_filter"]["hole_radius"] = 30;
+    test::writeBytes(folder / "older.patina", project.dump());
+    const core::Scene scene = core::loadProject(folder / "older.patina");
+    core::saveProject(scene, folder / "newer.patina");
+    const auto saved = json::parse(test::readBytes(folder / "newer.patina"));
+    EXPECT_FALSE(saved["depth_filter"].contains("hole_radius"));
 }
 
 TEST_F(ProjectTest, SmoothingIsANumberOrAutomatic) {
@@ -293,7 +303,7 @@ TEST_F(ProjectTest, WrongTypesAndRangesAreNamed) {
         {"/segments/0/smoothing", 200.5, {"segments[0].smoothing", "is 200.5", "[0, 200]"}},
         {"/segments/0/smoothing", "much", {"segments[0].smoothing", "much"}},
         {"/segments/0/edit", {{"brdf", "ggx"}, {"alpha", 7}}, {"segments[0].edit.alpha", "is 7", "[0.01, 1]"}},
-        {"/depth_filter/hole_radius", 2.5, {"depth_filter.hole_radius", "2.5", "whole number"}},
+        {"/depth_filter/spatial_sigma", "wide", {"depth_filter.spatial_sigma", "wide"}},
         {"/render/samples", 0, {"render.samples", "is 0", "1 to 1000000"}},
         {"/render/seed", -1, {"render.seed", "-1", "4294967295"}},
         {"/environment/scale", "big", {"environment.scale"}},

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/depth/fill_depth.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "core/analysis/depth/depth_noise.h"
 #include "core/analysis/depth/membrane.h"
 #include "core/analysis/depth/plane_fit.h"
 #include "core/base/label_table.h"
 #include "core/base/parallel.h"
 #include "core/base/pixel.h"
+#include "core/base/staged_progress.h"
 
 namespace core::analysis {
 namespace {
@@ -24,8 +25,10 @@ constexpr std::size_t kMinWindowSamples = 4;
 constexpr double kMaxFilledSlope = 3.7;
 /// Rounds of smoothing at each distance of the pairs.
 constexpr int kSmoothingRounds = 3;
-/// Margin of gaps of a sensor [depth samples].
+/// Margin of gaps of a sensor [depth samples], and of holes in exact depth [px]: there is nothing ragged, and the
+/// nearest pixels follow a curved surface best.
 constexpr int kGapMargin = 8;
+constexpr int kExactGapMargin = 1;
 /// The picture's longer side over the reach of planes into gaps of a sensor.
 constexpr int kFillReachParts = 30;
 
@@ -102,15 +105,25 @@ float medianOfPairs(const ImageF& depth, const LabelImage& labels, const Image<s
     return 0.5f * (means[(count - 1) / 2] + means[count / 2]);
 }
 
+/// Distance of the first pairs when filled pixels are smoothed; halved down to 1.
+int firstDistance(int margin) { return std::max(1, margin / 2); }
+
+int smoothingPasses(int margin) {
+    int passes = 0;
+    for (int distance = firstDistance(margin); distance >= 1; distance /= 2) passes += kSmoothingRounds;
+    return passes;
+}
+
 /// Evens out what differs between the planes of neighbouring filled pixels. Draws each towards the means of pairs of
 /// opposite ones, distant pairs first: planes stay planes, and ragged pixels along the gap have no influence.
 void smoothFilled(ImageF& depth, const LabelImage& labels, const Image<std::uint16_t>& filled, int margin,
                   const Progress& progress) {
     constexpr float kStep = 0.8f;
-    for (int distance = std::max(1, margin / 2); distance >= 1; distance /= 2) {
+    StagedProgress stages(progress, smoothingPasses(margin));
+    for (int distance = firstDistance(margin); distance >= 1; distance /= 2) {
         for (int round = 0; round < kSmoothingRounds; ++round) {
             const ImageF before = depth;
-            parallelFor(progress, depth.height(), [&](int y) {
+            parallelFor(stages.next(1), depth.height(), [&](int y) {
                 for (int x = 0; x < depth.width(); ++x) {
                     if (filled(x, y) == 0) continue;
                     const float middle = medianOfPairs(before, labels, filled, {x, y}, distance);
@@ -121,6 +134,36 @@ void smoothFilled(ImageF& depth, const LabelImage& labels, const Image<std::uint
             });
         }
     }
+}
+
+// Expected times [ns on two cores].
+
+double timeOfPlanes(std::size_t pixels, double gapPixels) {
+    constexpr double kTimePerPixel = 60;
+    constexpr double kTimePerPlane = 20000;
+    return kTimePerPixel * static_cast<double>(pixels) + kTimePerPlane * gapPixels;
+}
+
+double timeOfSmoothing(std::size_t pixels, double gapPixels, int margin) {
+    constexpr double kTimePerPixel = 1.5;
+    constexpr double kTimePerGapPixel = 40;
+    return smoothingPasses(margin) * (kTimePerPixel * static_cast<double>(pixels) + kTimePerGapPixel * gapPixels);
+}
+
+double timeOfMembrane(std::size_t pixels, double gapPixels) {
+    constexpr double kTimePerPixel = 5;
+    constexpr double kTimePerGapPixel = 300;
+    return kTimePerPixel * static_cast<double>(pixels) + kTimePerGapPixel * gapPixels;
+}
+
+/// Gaps of a sensor: labelled pixels without depth.
+DepthGaps sensorGaps(const ImageF& depth, const Photo& photo, bool exact) {
+    const int spacing = wholeSpacing(photo.depthSampleSpacing);
+    DepthGaps gaps{Image<std::uint8_t>(depth.width(), depth.height(), 0),
+                   exact && spacing == 1 ? kExactGapMargin : kGapMargin * spacing,
+                   std::max(depth.width(), depth.height()) / kFillReachParts};
+    for (std::size_t i = 0; i < depth.size(); ++i) gaps.isGap[i] = photo.labels[i] != 0 && depth[i] <= 0 ? 1 : 0;
+    return gaps;
 }
 
 /// One segment's known and missing pixels.
@@ -139,7 +182,12 @@ void fillWithPlanes(ImageF& depth, const LabelImage& labels, const Camera& camer
     for (std::size_t i = 0; i < depth.size(); ++i)
         known[i] = labels[i] != 0 && depth[i] > 0 && gaps.isGap[i] == 0 ? 1 : 0;
     Image<std::uint16_t> distance = distanceIntoGaps(labels, gaps, known);
-    parallelFor(progress, depth.height(), [&](int y) {
+    const auto near = std::ranges::count_if(distance.pixels(), [](std::uint16_t d) { return d > 0; });
+    if (near == 0) return;
+    const double planesTime = timeOfPlanes(depth.size(), static_cast<double>(near));
+    const double smoothingTime = timeOfSmoothing(depth.size(), static_cast<double>(near), gaps.margin);
+    StagedProgress stages(progress, planesTime + smoothingTime);
+    parallelFor(stages.next(planesTime), depth.height(), [&](int y) {
         std::vector<PlaneSample> samples;
         for (int x = 0; x < depth.width(); ++x) {
             if (distance(x, y) == 0) continue;
@@ -155,75 +203,7 @@ void fillWithPlanes(ImageF& depth, const LabelImage& labels, const Camera& camer
             gaps.isGap(x, y) = 0;
         }
     });
-    smoothFilled(depth, labels, distance, gaps.margin, progress);
-}
-
-void fillSmallHoles(ImageF& depth, const LabelImage& labels, int radius) {
-    if (radius <= 0) return;
-    radius = std::min(radius, 64);
-    const ImageF original = depth;
-    Image<std::uint8_t> visited(depth.width(), depth.height(), 0);
-    // A hole of which every pixel is within `radius` of valid depth cannot be longer than its outline allows, so the
-    // flood stops early only in area: a thin scratch across the segment is a small hole too.
-    const auto nearValid = [&](int x, int y) {
-        for (int dy = -radius; dy <= radius; ++dy)
-            for (int dx = -radius; dx <= radius; ++dx)
-                if (dx * dx + dy * dy <= radius * radius && depth.contains(x + dx, y + dy) &&
-                    labels(x + dx, y + dy) == labels(x, y) && original(x + dx, y + dy) > 0)
-                    return true;
-        return false;
-    };
-    const auto fill = [&](int x, int y) {
-        // Plane in inverse depth: weighted least squares about the hole pixel, nearest neighbours first.
-        Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-        Eigen::Vector3d rhs = Eigen::Vector3d::Zero();
-        double low = 1e30;
-        double high = 0;
-        const int reach = radius + 2;
-        for (int dy = -reach; dy <= reach; ++dy) {
-            for (int dx = -reach; dx <= reach; ++dx) {
-                if (!depth.contains(x + dx, y + dy) || labels(x + dx, y + dy) != labels(x, y)) continue;
-                const double z = original(x + dx, y + dy);
-                if (z <= 0) continue;
-                const double squared = dx * dx + dy * dy;
-                const Eigen::Vector3d row(1, dx, dy);
-                const double weight = 1 / (squared * squared);
-                normal += weight * row * row.transpose();
-                rhs += weight / z * row;
-                low = std::min(low, 1 / z);
-                high = std::max(high, 1 / z);
-            }
-        }
-        normal.diagonal() += Eigen::Vector3d(0, 1e-9, 1e-9) * normal(0, 0);
-        const double w = normal.ldlt().solve(rhs)[0];
-        return static_cast<float>(1 / std::clamp(w, low, high));
-    };
-
-    std::vector<std::array<int, 2>> hole;
-    for (int startY = 0; startY < depth.height(); ++startY) {
-        for (int startX = 0; startX < depth.width(); ++startX) {
-            if (visited(startX, startY) != 0 || original(startX, startY) > 0 || labels(startX, startY) == 0) continue;
-            const std::uint16_t label = labels(startX, startY);
-            hole.assign(1, {startX, startY});
-            visited(startX, startY) = 1;
-            bool small = true;
-            for (std::size_t next = 0; next < hole.size(); ++next) {
-                const auto [x, y] = hole[next];
-                small = small && nearValid(x, y);
-                for (const auto& [dx, dy] : kNeighbors) {
-                    const int nx = x + dx;
-                    const int ny = y + dy;
-                    if (!depth.contains(nx, ny) || visited(nx, ny) != 0 || labels(nx, ny) != label ||
-                        original(nx, ny) > 0)
-                        continue;
-                    visited(nx, ny) = 1;
-                    hole.push_back({nx, ny});
-                }
-            }
-            if (!small) continue;
-            for (const auto& [x, y] : hole) depth(x, y) = fill(x, y);
-        }
-    }
+    smoothFilled(depth, labels, distance, gaps.margin, stages.next(smoothingTime));
 }
 
 void fillWithMembrane(ImageF& depth, const LabelImage& labels, const Progress& progress) {
@@ -259,14 +239,23 @@ void fillWithMembrane(ImageF& depth, const LabelImage& labels, const Progress& p
     }
 }
 
-void fillDepth(ImageF& depth, const Photo& photo, int holeRadius, const Progress& progress) {
-    fillSmallHoles(depth, photo.labels, holeRadius);
-    DepthGaps gaps{Image<std::uint8_t>(depth.width(), depth.height(), 0),
-                   kGapMargin * std::max(1, static_cast<int>(std::lround(photo.depthSampleSpacing))),
-                   std::max(depth.width(), depth.height()) / kFillReachParts};
-    for (std::size_t i = 0; i < depth.size(); ++i) gaps.isGap[i] = photo.labels[i] != 0 && depth[i] <= 0 ? 1 : 0;
-    fillWithPlanes(depth, photo.labels, photo.camera, gaps, progress);
-    fillWithMembrane(depth, photo.labels, progress);
+void fillDepth(ImageF& depth, const Photo& photo, bool exact, const Progress& progress) {
+    DepthGaps gaps = sensorGaps(depth, photo, exact);
+    const auto count = static_cast<double>(std::ranges::count(gaps.isGap.pixels(), 1));
+    if (count == 0) return;
+    const double planesTime = timeOfPlanes(depth.size(), count) + timeOfSmoothing(depth.size(), count, gaps.margin);
+    const double membraneTime = timeOfMembrane(depth.size(), count);
+    StagedProgress stages(progress, planesTime + membraneTime);
+    fillWithPlanes(depth, photo.labels, photo.camera, gaps, stages.next(planesTime));
+    fillWithMembrane(depth, photo.labels, stages.next(membraneTime));
+}
+
+double expectedFillTime(const ImageF& depth, const Photo& photo) {
+    const DepthGaps gaps = sensorGaps(depth, photo, false);
+    const auto count = static_cast<double>(std::ranges::count(gaps.isGap.pixels(), 1));
+    if (count == 0) return 0;
+    return timeOfPlanes(depth.size(), count) + timeOfSmoothing(depth.size(), count, gaps.margin) +
+           timeOfMembrane(depth.size(), count);
 }
 
 }  // namespace core::analysis

@@ -13,8 +13,11 @@ namespace core::analysis {
 /// Gives every labelled pixel a depth when its segment has any: planes near what was measured (`fillWithPlanes`), a
 /// membrane in what is left (`fillWithMembrane`). Sensors miss glossy, dark and thin parts and the strip along an
 /// outline; a pixel that the user marked belongs to its object all the same, and would otherwise keep its old material.
-/// Unlabelled pixels stay distant.
-void fillDepth(ImageF& depth, const Photo& photo, int holeRadius, const Progress& progress);
+/// Unlabelled pixels stay distant. `exact`: the depth has no noise, so the pixels next to a hole determine its plane.
+void fillDepth(ImageF& depth, const Photo& photo, bool exact, const Progress& progress);
+
+/// Expected time of `fillDepth` [ns on two cores].
+[[nodiscard]] double expectedFillTime(const ImageF& depth, const Photo& photo);
 
 /// Pixels whose depth is to be replaced by that of the surface around them: gaps of a sensor, and wrong measurements.
 struct DepthGaps {
@@ -29,10 +32,6 @@ struct DepthGaps {
 /// to 75 degrees. Sets `isGap` of what was filled to 0.
 void fillWithPlanes(ImageF& depth, const LabelImage& labels, const Camera& camera, DepthGaps& gaps,
                     const Progress& progress);
-
-/// Fills holes inside labelled segments whose every pixel has a valid pixel of the segment within `radius` [px], by a
-/// plane through the neighbours. Holes without a label stay distant: they are the background.
-void fillSmallHoles(ImageF& depth, const LabelImage& labels, int radius);
 
 /// Fills all labelled pixels without depth whose segment has some, with a membrane: Laplace's equation in inverse depth
 /// between the segment's other pixels.

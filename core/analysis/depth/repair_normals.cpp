@@ -90,19 +90,28 @@ struct FittedNormals {
     }
 };
 
+// Expected times [ns on two cores] of finding agreeing and reliable pixels, per pixel, and of the repair of one pixel:
+// its mean normal and its depth.
+constexpr double kAgreementTime = 200;
+constexpr double kReliabilityTime = 330;
+constexpr double kMeanTime = 5000;
+constexpr double kDepthTime = 20000;
+/// Fraction of the pixels that are repaired, before it is known.
+constexpr double kExpectedRepairs = 0.005;
+
 /// 1 for labelled pixels whose normals are reliable.
-Image<std::uint8_t> findReliable(const FittedNormals& fitted, StagedProgress& stages, double agreementCost,
-                                 double reliabilityCost) {
+Image<std::uint8_t> findReliable(const FittedNormals& fitted, StagedProgress& stages) {
     const LabelImage& labels = fitted.labels;
+    const auto pixels = static_cast<double>(labels.size());
     Image<std::uint8_t> agrees(labels.width(), labels.height(), 0);
-    parallelFor(stages.next(agreementCost), labels.height(), [&](int y) {
+    parallelFor(stages.next(kAgreementTime * pixels), labels.height(), [&](int y) {
         for (int x = 0; x < labels.width(); ++x) {
             const std::uint16_t label = labels(x, y);
             if (label != 0 && fitted.isKnown(x, y, label)) agrees(x, y) = fitted.agreesWithNeighbors({x, y}) ? 1 : 0;
         }
     });
     Image<std::uint8_t> reliable = agrees;
-    parallelFor(stages.next(reliabilityCost), labels.height(), [&](int y) {
+    parallelFor(stages.next(kReliabilityTime * pixels), labels.height(), [&](int y) {
         for (int x = 0; x < labels.width(); ++x)
             if (agrees(x, y) != 0 && !fitted.isReliable({x, y}, agrees)) reliable(x, y) = 0;
     });
@@ -113,16 +122,16 @@ Image<std::uint8_t> findReliable(const FittedNormals& fitted, StagedProgress& st
 
 void repairNormals(Surface& surface, const LabelImage& labels, const Camera& camera, float depthSampleSpacing,
                    const Progress& progress) {
-    // Costs of agreement, reliability, mean normals and depth.
-    constexpr double kCosts[] = {4, 0.1, 3, 3};
-    StagedProgress stages(progress, kCosts[0] + kCosts[1] + kCosts[2] + kCosts[3]);
     const int spacing = wholeSpacing(depthSampleSpacing);
     const ImageV3 normals = surface.normal;
     const FittedNormals fitted{surface, labels, normals, spacing};
-    const Image<std::uint8_t> reliable = findReliable(fitted, stages, kCosts[0], kCosts[1]);
+    StagedProgress stages(progress, static_cast<double>(labels.size()) * (kAgreementTime + kReliabilityTime +
+                                                                          kExpectedRepairs * (kMeanTime + kDepthTime)));
+    const Image<std::uint8_t> reliable = findReliable(fitted, stages);
+    stages.setRemaining(kMeanTime + kDepthTime);
     DepthGaps gaps{Image<std::uint8_t>(labels.width(), labels.height(), 0), kRepairMargin * spacing,
                    kReaches.back() * spacing};
-    parallelFor(stages.next(kCosts[2]), labels.height(), [&](int y) {
+    parallelFor(stages.next(kMeanTime), labels.height(), [&](int y) {
         for (int x = 0; x < labels.width(); ++x) {
             const std::uint16_t label = labels(x, y);
             if (label == 0 || reliable(x, y) != 0 || !fitted.isKnown(x, y, label)) continue;
@@ -133,7 +142,7 @@ void repairNormals(Surface& surface, const LabelImage& labels, const Camera& cam
         }
     });
     const Image<std::uint8_t> repaired = gaps.isGap;
-    fillWithPlanes(surface.depth, labels, camera, gaps, stages.next(kCosts[3]));
+    fillWithPlanes(surface.depth, labels, camera, gaps, stages.next(kDepthTime));
     for (int y = 0; y < labels.height(); ++y) {
         for (int x = 0; x < labels.width(); ++x) {
             if (repaired(x, y) == 0) continue;

@@ -305,6 +305,13 @@ void smoothSegment(ImageF& depth, const Image<std::uint8_t>& measured, const Lab
     });
 }
 
+/// Expected time [ns on two cores] of smoothing a segment; 0 when there is nothing to do.
+double timeOf(const SurfaceSmoothing& smoothing, const SegmentDepth& segment) {
+    constexpr double kTimePerIteration = 20;
+    if (smoothing.label == 0 || segment.count == 0 || !(static_cast<double>(smoothing.length) > kMinLength)) return 0;
+    return kTimePerIteration * PlateSchedule(segment.box.width(), segment.box.height(), smoothing).cost();
+}
+
 /// Sum of the known inverse depths of a segment.
 struct MeanInverseDepth {
     double sum = 0;
@@ -362,22 +369,29 @@ std::vector<SurfaceSmoothing> chooseSmoothing(const ImageF& depth, const Scene& 
     return result;
 }
 
+double expectedSmoothingTime(const ImageF& depth, const LabelImage& labels,
+                             std::span<const SurfaceSmoothing> segments) {
+    const LabelTable<SegmentDepth> depths = depthOfSegments(depth, labels);
+    double time = 0;
+    for (const SurfaceSmoothing& smoothing : segments) time += timeOf(smoothing, depths[smoothing.label]);
+    return time;
+}
+
+std::map<std::uint16_t, float> bumpWidths(std::span<const SurfaceSmoothing> segments) {
+    std::map<std::uint16_t, float> widths;
+    for (const SurfaceSmoothing& smoothing : segments)
+        widths[smoothing.label] = SurfaceSmoothing::kBumpOverLength * smoothing.length;
+    return widths;
+}
+
 void smoothSurfaces(ImageF& depth, const Image<std::uint8_t>& measured, const LabelImage& labels, const Camera& camera,
                     std::span<const SurfaceSmoothing> segments, const Progress& progress) {
     const LabelTable<SegmentDepth> depths = depthOfSegments(depth, labels);
-    const auto costOf = [&](const SurfaceSmoothing& smoothing) {
-        const SegmentDepth& segment = depths[smoothing.label];
-        if (smoothing.label == 0 || segment.count == 0 || !(static_cast<double>(smoothing.length) > kMinLength))
-            return 0.0;
-        return PlateSchedule(segment.box.width(), segment.box.height(), smoothing).cost();
-    };
-    double total = 0;
-    for (const SurfaceSmoothing& smoothing : segments) total += costOf(smoothing);
-    StagedProgress stages(progress, total);
     const double focalLength = 0.5 * static_cast<double>(camera.fx + camera.fy);
+    StagedProgress stages(progress, expectedSmoothingTime(depth, labels, segments));
     for (const SurfaceSmoothing& smoothing : segments)
-        if (const double cost = costOf(smoothing); cost > 0)
-            smoothSegment(depth, measured, labels, focalLength, smoothing, depths[smoothing.label], stages.next(cost));
+        if (const double time = timeOf(smoothing, depths[smoothing.label]); time > 0)
+            smoothSegment(depth, measured, labels, focalLength, smoothing, depths[smoothing.label], stages.next(time));
 }
 
 }  // namespace core::analysis

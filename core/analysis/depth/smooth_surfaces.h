@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -23,8 +24,6 @@ struct SurfaceSmoothing {
     float depthSampleSpacing = 1;  ///< [px] as in Photo
     bool rounded = false;          ///< the noise is rounding: errors can have one sign over any distance
 
-    /// [px] width of the bumps that are halved.
-    [[nodiscard]] float bumpWidth() const { return kBumpOverLength * length; }
     /// Width of the bump, half a wave, that a weak plate halves, over the plate's length L: 1 / (1 + (2πL/λ)⁴) is left.
     static constexpr float kBumpOverLength = std::numbers::pi_v<float>;
 };
@@ -33,6 +32,13 @@ struct SurfaceSmoothing {
 /// noise requires, at most an eighth of it.
 [[nodiscard]] std::vector<SurfaceSmoothing> chooseSmoothing(const ImageF& depth, const Scene& scene,
                                                             const DepthNoise& noise);
+
+/// Width of the bumps [px] that are smoothed away, by label.
+[[nodiscard]] std::map<std::uint16_t, float> bumpWidths(std::span<const SurfaceSmoothing> segments);
+
+/// Expected time of `smoothSurfaces` [ns on two cores].
+[[nodiscard]] double expectedSmoothingTime(const ImageF& depth, const LabelImage& labels,
+                                           std::span<const SurfaceSmoothing> segments);
 
 /// Replaces the depth of segments, which `filterDepth` has freed of noise from pixel to pixel, by weak plates [BZ87]:
 /// the inverse depth that bends least while following the measured one. A mirror shows every error of slope; the plate
