@@ -95,7 +95,7 @@ TEST_F(ProjectTest, SavedProjectLoadsAsTheSameScene) {
                                R"("blend":{"new":0.75,"original":0.25}})");
     scene.segments[1].edit = core::materialFromJson(
         R"({"brdf":"none","translucency":{"preset":"marble","eta":1.5,"scale":2,"weight":0.5}})");
-    scene.depthFilter = {false, false, 1.5f, 0.2f, 0.02f, 5};
+    scene.depthFilter = {false, false, 1.5f, 0.2f, 0.02f};
     scene.render = {.samples = 17,
                     .timeLimit = 2.5,
                     .seed = 4000000000U,
