@@ -14,7 +14,7 @@
 #include "render/passes/silhouette_pass.h"
 #include "render/passes/translucency_pass.h"
 #include "render/scene_geometry.h"
-#include "render/slice_timer.h"
+#include "render/slice_sizer.h"
 
 namespace render {
 
@@ -42,7 +42,7 @@ struct RenderContext {
     FilterPass filter;
     CompositePass composite;
     SilhouettePass silhouette;
-    SliceTimer timer;
+    SliceSizer timer;
     DroppedSamples dropped;
     PathInputs paths;
     Targets targets;

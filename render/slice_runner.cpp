@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/base/clock.h"
-#include "render/slice_timer.h"
+#include "render/slice_sizer.h"
 
 namespace render {
 

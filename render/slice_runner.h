@@ -13,7 +13,8 @@
 namespace render {
 
 /// Runs long work in submissions of about `kMaxSliceSeconds` and waits for each, so that it can be cancelled and stays
-/// below the time-outs of display drivers. Measures the cost of a unit and remembers it by kind.
+/// below the time-outs of display drivers. Sizes each by the cost of a unit, which it measures and
+/// remembers by kind. (For the sums of a renderer, which never wait, see `SliceSizer`.)
 class SliceRunner {
   public:
     explicit SliceRunner(const gpu::Device& device) : device_(device) {}

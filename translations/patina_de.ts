@@ -1363,8 +1363,8 @@
         <translation>Tiefenkarte filtern</translation>
     </message>
     <message>
-        <source>Smooth surfaces and keep outlines sharp (joint bilateral filter)</source>
-        <translation>Flächen glätten, Umrisse scharf lassen (gemeinsamer bilateraler Filter)</translation>
+        <source>Smooth surfaces and keep outlines sharp (edge-avoiding filter)</source>
+        <translation>Flächen glätten, Umrisse scharf lassen (kantenerhaltender Filter)</translation>
     </message>
     <message>
         <source>Automatic</source>

@@ -4,7 +4,9 @@
 #include <memory>
 
 #include "app/cli/session.h"
+#include "core/analysis/analysis.h"
 #include "core/analysis/kernels.h"
+#include "core/scene/scene.h"
 #include "gpu/device.h"
 
 namespace cli {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/kernels.h"
 
+#include "core/analysis/depth/filter_depth.h"
+#include "core/analysis/depth/normals.h"
+#include "core/analysis/light/shepard.h"
+#include "core/analysis/light/sphere_membrane.h"
 #include "core/base/parallel.h"
 
 namespace core {

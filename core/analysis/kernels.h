@@ -8,16 +8,22 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/analysis.h"
-#include "core/analysis/depth/filter_depth.h"
-#include "core/analysis/depth/normals.h"
-#include "core/analysis/light/shepard.h"
-#include "core/analysis/light/sphere_membrane.h"
-#include "core/analysis/step_context.h"
+#include "core/base/directional_map.h"
+#include "core/base/image.h"
+#include "core/base/message.h"
 #include "core/base/progress.h"
+#include "core/geometry/depth_layers.h"
 #include "core/geometry/march.h"
+#include "core/geometry/surface.h"
 
 namespace core {
+
+namespace analysis {
+class DirectionTree;  // core/analysis/light/shepard.h
+struct FilterPass;    // core/analysis/depth/filter_depth.h
+struct MembraneRow;   // core/analysis/light/sphere_membrane.h
+struct SurfaceInput;  // core/analysis/depth/normals.h
+}  // namespace analysis
 
 /// The expensive, data-parallel parts of the analysis, one virtual function each, so that a device can run them. Steps
 /// reach them through their StepContext. The CPU's versions (`cpuAnalysisKernels`) are specified by the headers of the

@@ -226,7 +226,7 @@ std::vector<SceneParam> depthFilterParams() {
         at<&Scene::depthFilter, &DepthFilterParams::enabled>(
             {.key = "depth_filter.enabled",
              .label = PARAM_LABEL("scene", "Filter the depth map"),
-             .help = PARAM_LABEL("scene", "Smooth surfaces and keep outlines sharp (joint bilateral filter)"),
+             .help = PARAM_LABEL("scene", "Smooth surfaces and keep outlines sharp (edge-avoiding filter)"),
              .stage = Geometry,
              .group = ParamGroup::Depth}),
         at<&Scene::depthFilter, &DepthFilterParams::automatic>(

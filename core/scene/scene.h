@@ -96,7 +96,7 @@ struct Segment {
     bool operator==(const Segment&) const = default;
 };
 
-/// Joint bilateral filter of the depth map (docs/method.md#depth).
+/// Edge-avoiding filter of the depth map (docs/method.md#depth).
 struct DepthFilterParams {
     bool enabled = true;
     bool automatic = true;      ///< the three widths follow the measured noise instead of the values below

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "core/analysis/depth/filter_depth.h"
 #include "core/analysis/kernels.h"
 #include "gpu/device.h"
 #include "render/slice_runner.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/analysis/kernels.h"
+#include "core/analysis/light/shepard.h"
 #include "gpu/device.h"
 #include "render/slice_runner.h"
 

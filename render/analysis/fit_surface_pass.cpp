@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/analysis/depth/depth_noise.h"
 #include "gpu/readback.h"
 #include "kernels/fit_surface.h"
 #include "render/analysis/slice_buffers.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/analysis/depth/normals.h"
 #include "core/analysis/kernels.h"
 #include "gpu/device.h"
 #include "render/slice_runner.h"

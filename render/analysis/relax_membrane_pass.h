@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/analysis/kernels.h"
+#include "core/analysis/light/sphere_membrane.h"
 #include "gpu/device.h"
 #include "render/slice_runner.h"
 

@@ -14,8 +14,8 @@
 namespace core::analysis {
 namespace {
 
-/// Number of spacings at which noise is measured, and that in maps that were enlarged smoothly: these are never exact
-/// and may have been enlarged before they were stored, too.
+/// Number of spacings at which noise is measured, normally and for smoothly enlarged maps. The latter are never exact
+/// and may have been enlarged before storage as well.
 constexpr std::size_t kScales = 5;
 constexpr std::size_t kEnlargedScales = 6;
 /// Relative deviation below which depth counts as exact: rounding of floats.
@@ -132,8 +132,8 @@ std::vector<float> bendsOf(const ImageF& w, int step, const NoiseCurve& quantum,
     return bends;
 }
 
-/// Whether depth changes in steps of about `quantum` where it changes: the rows of an exact floor have one value each
-/// too, but follow each other smoothly. `same`: relative difference of values that count as equal.
+/// Whether depth changes in steps of about `quantum` where it changes. An exact floor also has one value per row, but
+/// changes evenly from row to row. `same`: relative difference of values that count as equal.
 bool hasStairs(const ImageF& w, int step, bool resampled, const NoiseCurve& quantum, float same) {
     std::vector<float> bends = bendsOf(w, step, quantum, same);
     if (bends.empty()) return false;
@@ -156,7 +156,7 @@ struct StoredValue {
     std::size_t count;
 };
 
-/// The different ones of sorted values; `same`: relative difference of those that count as equal.
+/// The distinct values of a sorted list and their counts; `same`: relative difference of those that count as equal.
 std::vector<StoredValue> countValues(std::span<const float> sorted, float same) {
     std::vector<StoredValue> result;
     for (std::size_t i = 0, next = 0; i < sorted.size(); i = next) {
@@ -166,9 +166,9 @@ std::vector<StoredValue> countValues(std::span<const float> sorted, float same) 
     return result;
 }
 
-/// Values that survive from a coarser rounding when later smoothing or stretching made the others: every k-th one, each
-/// more than twice as frequent as its neighbours, and together most of the pixels. Empty when there was no such
-/// rounding.
+/// Values of an earlier, coarser rounding, to which smoothing or stretching later added those in between: every k-th
+/// value, each more than twice as frequent as its neighbours, and together most of the pixels. Empty when there was no
+/// such rounding.
 std::vector<StoredValue> coarseValues(std::span<const StoredValue> all) {
     constexpr std::size_t kMinPeaks = 8;
     std::vector<std::size_t> peaks;
@@ -215,25 +215,25 @@ std::vector<float> sortedSubset(const ImageF& w) {
 
 /// Median distance between neighbouring values of a sorted list, by inverse depth. Where cells hold too few of them,
 /// and in `relative`, the median over all of the distance relative to inverse depth.
-struct Spacing {
+struct Quantum {
     NoiseCurve curve;
     float relative = 0;
 };
 
-Spacing spacingOf(std::span<const float> stored, const NoiseCurve& cells) {
-    std::array<std::vector<float>, NoiseCurve::kCells> gaps;
+Quantum quantumOf(std::span<const float> stored, const NoiseCurve& cells) {
+    std::array<std::vector<float>, NoiseCurve::kCells> steps;
     std::vector<float> relative;
     for (std::size_t i = 1; i < stored.size(); ++i) {
         const auto cell = static_cast<std::size_t>(
             std::clamp((stored[i] - cells.first) * cells.cellsPerUnit + 0.5f, 0.0f, NoiseCurve::kCells - 1.0f));
-        gaps[cell].push_back(stored[i] - stored[i - 1]);
+        steps[cell].push_back(stored[i] - stored[i - 1]);
         relative.push_back((stored[i] - stored[i - 1]) / stored[i]);
     }
-    Spacing spacing{cells, quantile(relative, 0.5)};
-    for (std::size_t cell = 0; cell < gaps.size(); ++cell)
-        spacing.curve.sigma[cell] =
-            gaps[cell].size() < 3 ? spacing.relative * cellCentre(cells, cell) : quantile(gaps[cell], 0.5);
-    return spacing;
+    Quantum quantum{cells, quantile(relative, 0.5)};
+    for (std::size_t cell = 0; cell < steps.size(); ++cell)
+        quantum.curve.sigma[cell] =
+            steps[cell].size() < 3 ? quantum.relative * cellCentre(cells, cell) : quantile(steps[cell], 0.5);
+    return quantum;
 }
 
 /// Distance between neighbouring stored values over inverse depth. In an enlarged map these are the values that occur
@@ -257,7 +257,7 @@ NoiseCurve quantisation(const ImageF& w, bool enlarged, int spacing, const Range
         held += count;
     }
     if (stored.size() < 3 || stored.size() * 4 > held || held * 5 < values.size() * 2) return none;
-    const Spacing quantum = spacingOf(stored, none);
+    const Quantum quantum = quantumOf(stored, none);
     if (quantum.relative > maxRelative) return none;
     return hasStairs(w, spacing, resampled, quantum.curve, same) ? quantum.curve : none;
 }
@@ -389,20 +389,20 @@ DepthNoise estimateDepthNoise(const ImageF& inverseDepth, const LabelImage& labe
 
     noise.deviation = curveOver(range);
     std::vector<float> total(scales.size(), 0.0f);
-    float level = 0;
+    float plateaus = 0;
     float quantised = 0;
     for (std::size_t cell = 0; cell < noise.deviation.sigma.size(); ++cell) {
         const auto [plateau, rounding, terraced] =
             levelOf(scales, cell, quanta.sigma[cell], kMaxExact * cellCentre(noise.deviation, cell));
         for (std::size_t k = 0; k < scales.size(); ++k) total[k] += std::min(scales[k].sigma[cell], plateau);
-        level += terraced ? std::min(plateau, rounding) : plateau;
+        plateaus += terraced ? std::min(plateau, rounding) : plateau;
         quantised += terraced || rounding > plateau ? rounding : 0;
         noise.deviation.sigma[cell] = terraced ? rounding : std::max(plateau, rounding);
     }
     if (smooth) extendToUnknown(noise.deviation);
-    noise.quantised = quantised > 0 && quantised >= level;
+    noise.quantised = quantised > 0 && quantised >= plateaus;
     noise.correlationLength = static_cast<float>(spacing);
-    for (std::size_t k = 0; k < scales.size() && total[k] < 0.7f * level; ++k)
+    for (std::size_t k = 0; k < scales.size() && total[k] < 0.7f * plateaus; ++k)
         noise.correlationLength = static_cast<float>(spacing << std::min(k + 1, scales.size() - 1));
 
     noise.relative = relativeNoise(noise.deviation, inverseDepth);

@@ -7,8 +7,8 @@
 
 namespace core::analysis {
 
-/// 1 = the pixel shows distant light: it has no depth and no neighbour with depth, whose light would be mixed into it,
-/// and its region without depth reaches the border of the picture or covers at least a fiftieth of it. Smaller enclosed
+/// 1 = the pixel shows distant light: neither it nor any neighbour has depth (a neighbour's light could mix in), and
+/// its region without depth reaches the border of the picture or covers at least a fiftieth of it. Smaller enclosed
 /// regions are gaps of the sensor (shadows of its projector, shiny spots).
 [[nodiscard]] Image<std::uint8_t> findDistantPixels(const ImageF& depth);
 

@@ -25,11 +25,11 @@ constexpr std::size_t kMinWindowSamples = 4;
 constexpr double kMaxFilledSlope = 3.7;
 /// Rounds of smoothing at each distance of the pairs.
 constexpr int kSmoothingRounds = 3;
-/// Margin of gaps of a sensor [depth samples], and of holes in exact depth [px]: there is nothing ragged, and the
-/// nearest pixels follow a curved surface best.
+/// Margins around gaps of a sensor [depth samples] and around holes in exact depth [px]. The latter have no ragged
+/// edge, and the nearest pixels follow a curved surface best.
 constexpr int kGapMargin = 8;
 constexpr int kExactGapMargin = 1;
-/// The picture's longer side over the reach of planes into gaps of a sensor.
+/// Planes reach into gaps of a sensor by the longer side of the picture divided by this.
 constexpr int kFillReachParts = 30;
 
 /// Distance [px] of every gap pixel from the known pixels of its segment, along the segment; 0 beyond the reach and
@@ -80,8 +80,8 @@ void sampleWindow(const ImageF& depth, const LabelImage& labels, const Image<std
         }
 }
 
-/// Median of the means of pairs of opposite filled pixels at a distance, in inverse depth, 0 without any pair: one
-/// of the pairs may cross a ragged pixel.
+/// Median of the means of pairs of opposite filled pixels at a distance, in inverse depth; a median because one pair
+/// may cross a ragged pixel. 0 if there is no pair.
 float medianOfPairs(const ImageF& depth, const LabelImage& labels, const Image<std::uint16_t>& filled, Pixel center,
                     int distance) {
     constexpr std::array<Pixel, 4> kDirections{{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
@@ -177,7 +177,7 @@ struct SegmentGaps {
 
 void fillWithPlanes(ImageF& depth, const LabelImage& labels, const Camera& camera, DepthGaps& gaps,
                     const Progress& progress) {
-    const ImageF measured = depth;
+    const ImageF input = depth;
     Image<std::uint8_t> known(depth.width(), depth.height(), 0);
     for (std::size_t i = 0; i < depth.size(); ++i)
         known[i] = labels[i] != 0 && depth[i] > 0 && gaps.isGap[i] == 0 ? 1 : 0;
@@ -192,7 +192,7 @@ void fillWithPlanes(ImageF& depth, const LabelImage& labels, const Camera& camer
         for (int x = 0; x < depth.width(); ++x) {
             if (distance(x, y) == 0) continue;
             const int radius = gaps.margin + 2 * distance(x, y);
-            sampleWindow(measured, labels, known, {x, y}, radius, samples);
+            sampleWindow(input, labels, known, {x, y}, radius, samples);
             if (samples.size() < kMinWindowSamples) {
                 distance(x, y) = 0;
                 continue;

@@ -117,8 +117,8 @@ NoiseCurve remainingNoiseAt(int step, const ImageF& w, const LabelImage& labels,
 float tiltBy(const NoiseCurve& noise, int step, const Camera& camera) {
     float tilt = 0;
     for (std::size_t i = 0; i < noise.sigma.size(); ++i) {
-        const float level = noise.first + static_cast<float>(i) / noise.cellsPerUnit;
-        tilt = std::max(tilt, noise.sigma[i] / level);
+        const float inverseDepth = noise.first + static_cast<float>(i) / noise.cellsPerUnit;
+        tilt = std::max(tilt, noise.sigma[i] / inverseDepth);
     }
     return tilt * std::max(camera.fx, camera.fy) / static_cast<float>(step);
 }
@@ -201,8 +201,10 @@ ImageF filterDepth(const ImageF& depth, const Photo& photo, const DepthFilterPar
     ImageF w = inverseOf(depth);
     w = params.automatic ? filterAutomatically(std::move(w), *filter, photo, noise, context.progress)
                          : filterAsAsked(std::move(w), *filter, params, context.progress);
-    for (std::size_t i = 0; i < w.size(); ++i) w[i] = depth[i] > 0 ? 1 / w[i] : 0.0f;
-    return w;
+    ImageF result(depth.width(), depth.height(), 0.0f);
+    for (std::size_t i = 0; i < w.size(); ++i)
+        if (depth[i] > 0) result[i] = 1 / w[i];
+    return result;
 }
 
 }  // namespace core::analysis

@@ -37,8 +37,9 @@ struct FilterPass {
 /// of its colours to the centre's and on the difference of its mean from the centre. Both of its pixels must be valid
 /// and carry the centre's label.
 ///
-/// Automatic: the range of each pass follows the noise that remains at its scale, measured before it. Passes stop when
-/// the remaining noise tilts a surface by less than a degree. Colours are ignored where the noise is mostly rounding.
+/// Automatic: the range of each pass follows the noise that remains at its scale, measured before it. Passes stop once
+/// the remaining noise tilts a surface by hardly more than a degree at a spacing beyond its correlation, after five
+/// passes (three for an enlarged map) at the latest. Colours are ignored where the noise is mostly rounding.
 /// Exact depth is returned unchanged. Custom: the passes add up to `spatialSigma`, and `colorSigma` and `depthSigma`
 /// are the ranges. Invalid pixels (0) stay invalid. `params.enabled` is the caller's business.
 [[nodiscard]] ImageF filterDepth(const ImageF& depth, const Photo& photo, const DepthFilterParams& params,

@@ -18,7 +18,7 @@
 namespace core::analysis {
 namespace {
 
-/// The picture's longer side over the reach of a ramp.
+/// The reach of a ramp is the longer side of the picture divided by this.
 constexpr int kReachParts = 60;
 /// Samples of a window on each side of its centre.
 constexpr int kGrid = 4;
@@ -26,7 +26,7 @@ constexpr int kGrid = 4;
 constexpr float kMinRampFraction = 0.6f;
 /// Smallest fraction of the outline nearby that is a strip where there is one: about half at the ends of a strip.
 constexpr float kMinStripFraction = 0.3f;
-/// The reach over the width of a ramp's foot.
+/// The width of a ramp's foot is its reach divided by this.
 constexpr int kFootParts = 8;
 /// Smallest jump [pixel widths per pixel of the reach] to what lies behind: less is relief.
 constexpr float kMinJump = 8;
@@ -37,7 +37,7 @@ constexpr float kMinBend = 0.15f;
 // Fractions of the jump from the segment to what lies behind it.
 /// An outline pixel farther back than this may be flying.
 constexpr float kFlyingShare = 0.25f;
-/// Pixels farther back than this are removed with a flying one nearby.
+/// Pixels farther back than this are removed where most of the outline nearby is blurred.
 constexpr float kRemovedShare = 0.12f;
 /// A jump of this much at the outline itself is a clean edge.
 constexpr float kCleanShare = 0.4f;
@@ -83,7 +83,7 @@ class Outlines {
         if (surfaces.behind - surfaces.own < kMinJump * static_cast<float>(reach_) * footprint_ * z ||
             surfaces.share(z) < kRemovedShare)
             return Edge::Clean;
-        if (enlarged_ && fallsLikeNoBall(x, y)) return Edge::Blurred;
+        if (enlarged_ && fallsFasterThanBall(x, y)) return Edge::Blurred;
         if (surfaces.share(z) < kFlyingShare) return Edge::Clean;
         float beyond = z, inside = z;
         for (const Pixel& step : kNeighbors) {
@@ -103,7 +103,7 @@ class Outlines {
 
     /// Whether depth falls away at an outline pixel faster than at the rim of a ball as wide as the picture, but not
     /// like a plane: a face may be seen at any angle.
-    [[nodiscard]] bool fallsLikeNoBall(int x, int y) const {
+    [[nodiscard]] bool fallsFasterThanBall(int x, int y) const {
         const auto width = static_cast<float>(std::max(depth_.width(), depth_.height()));
         const int distance = 1 + reach_ / kFootParts;
         const float ofBall = std::sqrt(width) * (std::sqrt(static_cast<float>(distance) + 0.5f) - std::sqrt(0.5f));
@@ -122,7 +122,7 @@ class Outlines {
         });
     }
 
-    /// Whether the segment comes nearer than relief does within `distance` pixels.
+    /// Whether the segment gets nearer within `distance` pixels by more than relief can.
     [[nodiscard]] bool isSteep(int x, int y, int distance) const {
         const float z = depth_(x, y);
         return std::ranges::any_of(kNeighbors, [&](Pixel step) {

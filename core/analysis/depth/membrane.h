@@ -9,7 +9,7 @@
 
 namespace core::analysis {
 
-/// One cell of a membrane: outside it, held at its value, or free between its neighbours but not above `most`.
+/// One cell of a grid: outside the membrane, fixed, or free up to `most`.
 struct MembraneCell {
     enum class Kind : std::uint8_t { Outside, Free, Fixed };
     float value = 0;
@@ -18,7 +18,7 @@ struct MembraneCell {
 };
 
 /// Gives the free cells values that satisfy Laplace's equation, or the obstacle problem where `most` holds them down,
-/// without flow through the outside. Solved from coarse to fine, each level starting from the coarser one, so that the
+/// with no flux across its edge. Solved from coarse to fine, each level starting from the coarser one, so that the
 /// cost depends on the number of cells and not on the width of a gap. The values of free cells are the initial guess;
 /// parts without a fixed cell stay close to it. Cancellable.
 void solveMembrane(Image<MembraneCell>& cells, const Progress& progress);

@@ -16,9 +16,9 @@
 namespace core::analysis {
 namespace {
 
-/// Slope at the last pixel before an occluding contour, from the steps to its first three neighbours inside. A smooth
-/// surface ends there like sqrt(d) of the distance d to the contour. The first two steps determine d: their ratio is
-/// 0.41 at the contour and 1 far from it. The third must agree, otherwise there is no such contour.
+/// Slope at the last pixel before an occluding contour, from the steps to its first three neighbours inside. Near it a
+/// smooth surface varies as sqrt(d), where d is the distance to the contour. The first two steps determine d: their
+/// ratio is 0.41 at the contour and 1 far from it. The third must agree, otherwise there is no such contour.
 std::optional<float> contourSlope(float first, float second, float third) {
     const float ratio = second / first;
     if (!(ratio > 0) || !(ratio < kernel::kMaxContourRatio)) return std::nullopt;

@@ -22,12 +22,12 @@ struct SurfaceInput {
     const ImageV3* known = nullptr;  ///< normals that are used as they are where not zero; nullptr = none
 };
 
-/// Fills normals, positions and patch areas of a surface that has its depth. Zero where there is no depth.
+/// Computes normals, positions and patch areas of a surface from its depth. Zero where there is no depth.
 ///
 /// Normals come from a robust fit of a plane in inverse depth, w = a + gu·Δu + gv·Δv, around every pixel. Neighbours of
 /// other segments have no weight, and neither have those that deviate from the slope on the pixel's smoother side by
-/// more than a pixel's footprint: fits stop at discontinuities and are one-sided beside them. The window is 3×3 on
-/// exact depth and 5×5 otherwise.
+/// more than the noise and, in proportion to their distance, a pixel's footprint explain: fits stop at discontinuities
+/// and are one-sided beside them. The window is 3×3 on exact depth and 5×5 otherwise.
 void computeSurface(const SurfaceInput& input, Surface& surface, const Progress& progress);
 
 /// One neighbour of the fit.

@@ -16,7 +16,7 @@
 namespace core::analysis {
 namespace {
 
-/// Relative noise below which filtered depth is not taken to be: it is never exact, however smooth.
+/// Lower bound of the relative noise of filtered depth, which never counts as exact, however smooth it is.
 constexpr float kMinRemainingNoise = 2e-6f;
 
 /// The photograph's depth, 0 wherever it is not a positive number.
@@ -41,7 +41,7 @@ Image<std::uint8_t> hasDepth(const ImageF& depth) {
     return valid;
 }
 
-/// Relative noise that the filter left.
+/// Relative noise that the filter left, between neighbouring pixels, because that is what normals are fitted to.
 float remainingNoise(const ImageF& filtered, const LabelImage& labels, const Progress& progress) {
     const ImageF w = inverseOf(filtered);
     return std::max(kMinRemainingNoise, relativeNoise(measureNoise(w, labels, 1, Differences::Fourth, progress), w));
@@ -107,7 +107,7 @@ RecoveredDepth recoverDepth(const Scene& scene, const StepContext& context) {
     StagedProgress stages(context.progress.part(measuringShare, 1), plan.time());
     if (plan.removeFlying)
         removeFlyingPixels(depth, photo.labels, photo.camera, photo.depthSampleSpacing, stages.next(plan.flyingTime));
-    const Image<std::uint8_t> measured = hasDepth(depth);
+    const Image<std::uint8_t> hadDepth = hasDepth(depth);
     if (plan.filter)
         depth = filterDepth(depth, photo, scene.depthFilter, noise, context.with(stages.next(plan.filterTime)));
     result.relativeNoise =
@@ -115,7 +115,7 @@ RecoveredDepth recoverDepth(const Scene& scene, const StepContext& context) {
     fillDepth(depth, photo, noise.relative <= 0, stages.next(plan.fillTime));
     if (plan.smooth) {
         const std::vector<SurfaceSmoothing> smoothing = chooseSmoothing(depth, scene, noise);
-        smoothSurfaces(depth, measured, photo.labels, photo.camera, smoothing, stages.next(plan.smoothTime));
+        smoothSurfaces(depth, hadDepth, photo.labels, photo.camera, smoothing, stages.next(plan.smoothTime));
         result.smoothing = bumpWidths(smoothing);
     }
     result.distant = findDistantPixels(depth);

@@ -21,8 +21,8 @@ constexpr float kMinAgreement = 0.9f;
 /// Half-width of the window [depth samples] in which a fraction of the neighbours must agree with a pixel.
 constexpr int kWindow = 2;
 constexpr float kMinAgreeingNeighbors = 0.3f;
-/// Half-width of the window [depth samples] in which a fraction of the pixels must be such themselves. In the band
-/// neighbours agree by chance here and there, but not many side by side.
+/// Half-width of the window [depth samples] in which this fraction of the pixels must also agree with their neighbours.
+/// In a band of wrong normals neighbours agree by chance here and there, but not many side by side.
 constexpr int kReliableWindow = 3;
 constexpr float kMinReliableFraction = 0.6f;
 /// Half-widths of the windows [depth samples] that are searched for reliable normals, and their smallest total weight.

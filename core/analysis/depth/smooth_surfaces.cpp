@@ -23,12 +23,12 @@ namespace {
 constexpr double kMinFold = 0.35;
 constexpr double kMedianFolds = 3;
 /// Second difference at which depth begins to count as broken [σ of the noise].
-constexpr double kJump = 3;
+constexpr double kDataJump = 3;
 /// Residual at which the weight of a measurement is a quarter [standard deviations].
-constexpr double kOutlier = 2.5;
-/// Smoothing length over the cell width of the level where weights are found, at most.
+constexpr double kDataOutlier = 2.5;
+/// Upper bound of the smoothing length in cells of the level where weights are found.
 constexpr double kMaxWeightedRatio = 12;
-/// Smoothing length over the cell width of the coarsest level, about.
+/// Smoothing length in cells of the coarsest level, about.
 constexpr double kCoarsestRatio = 3;
 /// Smoothing lengths [px] up to this one change nothing.
 constexpr double kMinLength = 1;
@@ -37,7 +37,7 @@ constexpr int kWeightRounds = 6;
 /// Iterations of conjugate gradients on the level of the weights and coarser ones, and on finer ones.
 constexpr int kIterations = 30;
 constexpr int kFineIterations = 12;
-/// Time to find the weights of a level over that of one iteration on it.
+/// Time to find the weights of a level, in iterations on it.
 constexpr double kWeightCost = 6;
 
 /// Weight of a residual in units of its scale.
@@ -79,7 +79,7 @@ class PlateWeights {
         forCells([&](std::size_t i) {
             for (const std::size_t cell : {i, i - 1, i + 1, i - row, i + row, i + row + 1})
                 if (plate_.inside(cell) && !(measured_[cell] > 0)) return;
-            unbroken_[i] = weightOf(plate_.bendOfData(i) / (kJump * noise_.sigma));
+            unbroken_[i] = weightOf(plate_.bendOfData(i) / (kDataJump * noise_.sigma));
             plate_.setStiffness(i, unbroken_[i]);
         });
     }
@@ -141,7 +141,7 @@ class PlateWeights {
         const double least = fourthPower(std::min(1.0, noise_.shortest() / plate_.length()));
         forCells([&](std::size_t i) {
             if (noise_.rounded) {
-                const double limit = kOutlier * std::max(spread, 1e-7 * std::abs(plate_.value(i)));
+                const double limit = kDataOutlier * std::max(spread, 1e-7 * std::abs(plate_.value(i)));
                 plate_.setTrust(i, measured_[i] * weightOf((plate_.data(i) - plate_.value(i)) / limit));
             }
             plate_.setStiffness(
@@ -313,7 +313,7 @@ double timeOf(const SurfaceSmoothing& smoothing, const SegmentDepth& segment) {
 }
 
 /// Sum of the known inverse depths of a segment.
-struct MeanInverseDepth {
+struct SumOfInverseDepth {
     double sum = 0;
     std::size_t count = 0;
 };
@@ -324,7 +324,8 @@ void followNoise(SurfaceSmoothing& smoothing, float w, float width, const DepthN
     /// [rad] slope error that may remain in places; it is typically much smaller.
     constexpr float kMaxTilt = 0.1f;
     // Rounding whose σ makes a slope of 45 degrees over the distance of two measurements is coarse. Cameras that round
-    // so match pictures, and their errors have one sign over some pixels [px]. Finer rounding is noise like any other.
+    // this coarsely compute depth by matching pictures; their errors keep one sign over at least this many pixels.
+    // Finer rounding is noise like any other.
     constexpr float kMinTerrace = 4;
     /// A flat surface continues without a step for longer, the larger the step is.
     constexpr float kTerraceOverSlope = 1.4f;
@@ -343,7 +344,7 @@ void followNoise(SurfaceSmoothing& smoothing, float w, float width, const DepthN
 std::vector<SurfaceSmoothing> chooseSmoothing(const ImageF& depth, const Scene& scene, const DepthNoise& noise) {
     constexpr float kMaxBumpOverWidth = 0.5f;
     const Photo& photo = *scene.photo;
-    LabelTable<MeanInverseDepth> means;
+    LabelTable<SumOfInverseDepth> means;
     for (std::size_t i = 0; i < depth.size(); ++i) {
         if (photo.labels[i] == 0 || depth[i] <= 0) continue;
         means[photo.labels[i]].sum += 1.0 / static_cast<double>(depth[i]);

@@ -7,6 +7,7 @@
 
 #include "core/analysis/kernels.h"
 #include "core/analysis/segment/continued_supports.h"
+#include "core/analysis/step_context.h"
 #include "core/base/label_table.h"
 #include "core/base/pixel.h"
 #include "core/scene/scene.h"

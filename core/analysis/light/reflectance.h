@@ -25,8 +25,8 @@ inline constexpr float kMinCommonSolidAngle = 0.02f;
 
 /// L_S, L_G, ρ and lobe width of one segment.
 ///
-/// ρ = mean(reflected)/mean(incident) per channel, over the directions that both maps really know. Sources, in this
-/// order:
+/// ρ = mean(reflected)/mean(incident) per channel, over the directions that both maps really know. Sources, the best
+/// one first; lobes are tried only where pairs or texels make ρ reliable:
 /// 1. Lobes: interior pixels whose mirrored ray meets a front whose colour is true for every viewer, with what their
 ///    whole lobe meets there (`probeLobes`). These also give the width, if what is reflected has enough detail.
 /// 2. Pairs: what such a pixel shows against what its mirrored ray alone meets, binned by direction; every texel weighs

@@ -15,13 +15,14 @@ namespace render {
 /// below the time-outs of display drivers.
 inline constexpr double kMaxSliceSeconds = 0.03;
 
-/// Measures the cost of a unit of each kind of work on the device and sizes slices by it.
+/// Decides how large the slices of a renderer's sums are, by the measured cost of a unit of each kind of work on the
+/// device. (Long work of the analysis has its own rule: `SliceRunner`, which waits for each slice.)
 ///
 /// A unit is whatever the kind counts (paths, pixel-sample pairs). Before the first measurement a kind costs its
 /// `guess`. A higher measurement counts in full, a lower one half.
-class SliceTimer {
+class SliceSizer {
   public:
-    explicit SliceTimer(const gpu::Device& device);
+    explicit SliceSizer(const gpu::Device& device);
 
     /// Estimated device time of one unit of `kind` [s].
     [[nodiscard]] double cost(const std::string& kind, double guess) const;

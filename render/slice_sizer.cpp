@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/slice_timer.h"
+#include "render/slice_sizer.h"
 
 #include <algorithm>
 
 namespace render {
 
-SliceTimer::SliceTimer(const gpu::Device& device) : timer_(device, 256) {}
+SliceSizer::SliceSizer(const gpu::Device& device) : timer_(device, 256) {}
 
-double SliceTimer::cost(const std::string& kind, double guess) const {
+double SliceSizer::cost(const std::string& kind, double guess) const {
     const auto known = costs_.find(kind);
     return known == costs_.end() ? guess : known->second;
 }
 
-std::uint64_t SliceTimer::units(const std::string& kind, double guess, double seconds, std::uint64_t minUnits) const {
+std::uint64_t SliceSizer::units(const std::string& kind, double guess, double seconds, std::uint64_t minUnits) const {
     const double count = std::clamp(seconds, 0.0, kMaxSliceSeconds) / cost(kind, guess);
     return std::max(minUnits, static_cast<std::uint64_t>(std::min(count, 1e15)));
 }
 
-gpu::PassTimer::Region SliceTimer::measure(const gpu::CommandEncoder& encoder, const std::string& kind,
+gpu::PassTimer::Region SliceSizer::measure(const gpu::CommandEncoder& encoder, const std::string& kind,
                                            std::uint64_t units) {
     std::string label = kind + " #" + std::to_string(nextSlice_++);
     inFlight_[label] = {kind, static_cast<double>(std::max<std::uint64_t>(units, 1))};
     return timer_.measure(encoder, std::move(label));
 }
 
-void SliceTimer::collect() {
+void SliceSizer::collect() {
     for (const gpu::PassTimer::Timing& timing : timer_.takeResults()) {
         const auto slice = inFlight_.find(timing.label);
         if (slice == inFlight_.end()) continue;
