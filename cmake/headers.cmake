@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # patina_check_headers(TARGET...): adds the target `check_headers`, which compiles every public header of the targets alone.
-# CMake's own all_verify_interface_header_sets does the same at three times the cost, because it parses Eigen and TBB
-# again for each header.
+# CMake's own all_verify_interface_header_sets does the same at several times the cost, because it parses Eigen, Qt and
+# other libraries again for each header.
 function(patina_check_headers)
   add_custom_target(check_headers)
   foreach(target ${ARGN})
@@ -20,6 +20,11 @@ function(patina_check_headers)
     set_target_properties(${target}_headers PROPERTIES UNITY_BUILD OFF)
     if(target MATCHES "^(core|render|ui)$")
       target_precompile_headers(${target}_headers PRIVATE <Eigen/Geometry> <tbb/parallel_for.h>)
+    endif()
+    if(target STREQUAL core)
+      target_precompile_headers(${target}_headers PRIVATE <nlohmann/json.hpp> <OpenImageIO/imageio.h>)
+    elseif(target STREQUAL ui)
+      target_precompile_headers(${target}_headers PRIVATE <QtWidgets/QtWidgets>)
     endif()
     add_dependencies(check_headers ${target}_headers)
   endforeach()

@@ -29,7 +29,7 @@ struct RenderContext {
           filter(device, geometry.layout()),
           composite(device, geometry.layout()),
           silhouette(device, geometry.layout()),
-          timer(device),
+          sizer(device),
           dropped(device) {
         paths.dropped = dropped.buffer();
     }
@@ -42,7 +42,7 @@ struct RenderContext {
     FilterPass filter;
     CompositePass composite;
     SilhouettePass silhouette;
-    SliceSizer timer;
+    SliceSizer sizer;
     DroppedSamples dropped;
     PathInputs paths;
     Targets targets;

@@ -120,7 +120,7 @@ void Renderer::Impl::followEdits() {
 bool Renderer::Impl::record(const gpu::CommandEncoder& encoder, double budgetSeconds) {
     changed = {};
     if (!shaded.analysis) return false;
-    context.timer.collect();
+    context.sizer.collect();
     waiting = !inputsReady(encoder, budgetSeconds);
     if (waiting) return true;
     clock.tick();

@@ -10,10 +10,9 @@ Step depthLayersStep() {
     step.writes = Item::Layers;
     step.params = [](const Scene&, Hash&) {};
     step.run = [](Board& board, const StepContext& context) {
-        context.progress.checkpoint(0);
         const Photo& photo = *board.scene->photo;
         board.layers = std::make_shared<DepthLayers>(
-            buildDepthLayers(photo.camera, photo.labels, *board.front, board.back->surface));
+            buildDepthLayers(photo.camera, photo.labels, *board.front, board.back->surface, context.progress));
     };
     return step;
 }

@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
+
+#include "core/base/parallel.h"
 
 namespace core {
 namespace {
@@ -62,8 +65,8 @@ struct LayerBuilder {
 
 }  // namespace
 
-DepthLayers buildDepthLayers(const Camera& camera, const LabelImage& labels, const Surface& front,
-                             const Surface& back) {
+DepthLayers buildDepthLayers(const Camera& camera, const LabelImage& labels, const Surface& front, const Surface& back,
+                             const Progress& progress) {
     CORE_ASSERT(front.depth.sameSize(labels) && back.depth.sameSize(labels), "layers of one size");
     DepthLayers layers;
     layers.camera = camera;
@@ -71,9 +74,12 @@ DepthLayers buildDepthLayers(const Camera& camera, const LabelImage& labels, con
     layers.front = Image<DepthLayers::Patch>(labels.width(), labels.height());
     layers.back = Image<DepthLayers::Patch>(labels.width(), labels.height());
     const LayerBuilder builder{camera, labels};
-    layers.minW = std::numeric_limits<float>::infinity();
-    layers.maxW = 0;
-    for (int y = 0; y < labels.height(); ++y) {
+    struct Range {
+        float min = std::numeric_limits<float>::infinity(), max = 0;
+    };
+    std::vector<Range> rows(static_cast<std::size_t>(labels.height()));
+    parallelFor(progress, labels.height(), [&](int y) {
+        Range& row = rows[static_cast<std::size_t>(y)];
         for (int x = 0; x < labels.width(); ++x) {
             DepthLayers::Patch near = builder.patch(front, x, y);
             if (near.w <= 0) continue;
@@ -98,10 +104,12 @@ DepthLayers buildDepthLayers(const Camera& camera, const LabelImage& labels, con
             // The marching kernel may round a corner outwards.
             const float above = near.w + 0.5f * (std::abs(near.gu) + std::abs(near.gv));
             const float below = far.w - 0.5f * (std::abs(far.gu) + std::abs(far.gv));
-            layers.maxW = std::max(layers.maxW, above * (1 + 1e-5f));
-            layers.minW = std::min(layers.minW, below * (1 - 1e-5f));
+            row.max = std::max(row.max, above * (1 + 1e-5f));
+            row.min = std::min(row.min, below * (1 - 1e-5f));
         }
-    }
+    });
+    layers.minW = std::ranges::min(rows, {}, &Range::min).min;
+    layers.maxW = std::ranges::max(rows, {}, &Range::max).max;
     return layers;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/base/camera.h"
 #include "core/base/image.h"
+#include "core/base/progress.h"
 #include "core/geometry/surface.h"
 
 namespace core {
@@ -35,7 +36,7 @@ struct DepthLayers {
 /// neighbours of the same label, so that a wrong normal at a silhouette cannot raise a spike. A back patch that would
 /// intersect the front patch inside the pixel is made parallel to it.
 [[nodiscard]] DepthLayers buildDepthLayers(const Camera& camera, const LabelImage& labels, const Surface& front,
-                                           const Surface& back);
+                                           const Surface& back, const Progress& progress = {});
 
 /// Distance [m] by which a ray's origin is lifted off the surface along its normal: half a pixel's footprint,
 /// z/(fx + fy). Shared by every march, on the CPU and in the kernels. It exceeds the distance

@@ -21,9 +21,9 @@ namespace {
 /// Reading the depth.
 constexpr float kDepthEnd = 0.05f;
 /// Reading depth and colour.
-constexpr float kImportEnd = 0.5f;
+constexpr float kImportEnd = 0.3f;
 /// Enlarging the depth; the labels take the rest.
-constexpr float kEnlargeEnd = 0.9f;
+constexpr float kEnlargeEnd = 0.92f;
 
 constexpr double kDefaultFovDegrees = 60;
 constexpr double kFilmDiagonal = 43.266615;  ///< diagonal [mm] of a 36 mm x 24 mm frame
@@ -320,13 +320,15 @@ std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, Notes* notes
     const std::string& depthPath = source.depth.empty() ? source.color : source.depth;
     requireValidDepth(photo->depth, depthPath);
     noteImplausibleDepth(photo->depth, depthPath, source.depthUnit, notes);
-    progress.checkpoint(imported ? kImportEnd : kDepthEnd);
+    const bool sameSize = photo->depth.width() == camera.width && photo->depth.height() == camera.height;
+    const float importEnd = sameSize ? kEnlargeEnd : kImportEnd;
+    progress.checkpoint(imported ? importEnd : kDepthEnd);
     photo->color = imported ? std::move(imported->color) : loadColor(source.color, notes);
     if (imported)
         photo->clipLevel = imported->clipLevel;
     else if (!info.format.floating)
         photo->clipLevel = 1;
-    enlargeDepth(*photo, depthPath, notes, progress.part(kImportEnd, kEnlargeEnd));
+    enlargeDepth(*photo, depthPath, notes, progress.part(importEnd, kEnlargeEnd));
     progress.checkpoint(kEnlargeEnd);
     if (imported)
         for (const Message& remark : imported->remarks) note(notes, remark);

@@ -27,7 +27,7 @@ Blend blendOf(const ShadedScene& shaded, const core::Segment& segment) {
 }
 
 double Composite::cost(const RenderContext& context, std::uint32_t pixels) {
-    return pixels * context.timer.cost("composite", kCompositeGuess);
+    return pixels * context.sizer.cost("composite", kCompositeGuess);
 }
 
 void Composite::record(const Slice& slice, const Key& key, const PixelSet& set, const Source& source) {
@@ -56,7 +56,7 @@ void Composite::record(const Slice& slice, const Key& key, const PixelSet& set, 
         block.pixelCount = range.count;
         // Timing a partial composite mostly measures launch overhead, so only full ones are timed.
         std::optional<gpu::PassTimer::Region> region;
-        if (range.count == pixels.count) region.emplace(context.timer.measure(slice.encoder, "composite", range.count));
+        if (range.count == pixels.count) region.emplace(context.sizer.measure(slice.encoder, "composite", range.count));
         context.composite.record(slice.encoder, context.geometry, group, block);
     }
     if (source.reached < pixels.count) return;

@@ -85,10 +85,10 @@ double DiffusionSum::recordStep(const Slice& slice, const DiffusionGrids& grids,
     const std::string kind = nameOf(step.kernel);
     const std::uint64_t accesses = accessesPerItem(step.kernel);
     const double guess = kAccessGuess * static_cast<double>(accesses);
-    const std::uint64_t units = context.timer.units(kind, guess, slice.seconds, kMinAccesses / accesses);
+    const std::uint64_t units = context.sizer.units(kind, guess, slice.seconds, kMinAccesses / accesses);
     const auto count = static_cast<std::uint32_t>(std::min<std::uint64_t>(units, step.count - itemsDone_));
     {
-        const auto region = context.timer.measure(slice.encoder, kind, count);
+        const auto region = context.sizer.measure(slice.encoder, kind, count);
         context.diffusion.record(slice.encoder, context.geometry, grids, step, itemsDone_, count, rays, kernel_);
     }
     itemsDone_ += count;
@@ -96,7 +96,7 @@ double DiffusionSum::recordStep(const Slice& slice, const DiffusionGrids& grids,
         itemsDone_ = 0;
         ++step_;
     }
-    return count * context.timer.cost(kind, guess);
+    return count * context.sizer.cost(kind, guess);
 }
 
 void DiffusionSum::noteProgress() {

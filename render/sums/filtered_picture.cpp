@@ -49,12 +49,12 @@ double FilteredPicture::record(const Slice& slice, const PixelList& pixels, cons
         step_ = 0;
         pixelsDone_ = 0;
     }
-    const std::uint64_t units = context.timer.units(kind, kFilterGuess, slice.seconds, kListGroupSize);
+    const std::uint64_t units = context.sizer.units(kind, kFilterGuess, slice.seconds, kListGroupSize);
     const auto count = static_cast<std::uint32_t>(std::min<std::uint64_t>(units, pixels.count - pixelsDone_));
     const auto& groups =
         groups_.of([&](const auto&... from) { return context.filter.bind(from...); }, pixels, context.targets);
     {
-        const auto region = context.timer.measure(slice.encoder, kind, count);
+        const auto region = context.sizer.measure(slice.encoder, kind, count);
         context.filter.record(slice.encoder, context.geometry, groups, step_, pixelsDone_, count);
     }
     pixelsDone_ += count;
@@ -67,7 +67,7 @@ double FilteredPicture::record(const Slice& slice, const PixelList& pixels, cons
         samples_ = sum.samples();
         ++version_;
     }
-    return count * context.timer.cost(kind, kFilterGuess);
+    return count * context.sizer.cost(kind, kFilterGuess);
 }
 
 }  // namespace render

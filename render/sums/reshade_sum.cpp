@@ -31,7 +31,7 @@ ReshadeSum::Advance ReshadeSum::record(const Slice& slice, std::uint16_t label, 
     RenderContext& context = slice.context;
     const std::string kind = "reshade " + std::to_string(label);
     sweep_.count = pixels.count;
-    const std::uint64_t units = context.timer.units(kind, kPathGuess, slice.seconds, kListGroupSize);
+    const std::uint64_t units = context.sizer.units(kind, kPathGuess, slice.seconds, kListGroupSize);
     const PixelRange range = nextPixels(units);
     std::uint32_t samples = 1;
     if (range.count == pixels.count) {
@@ -50,12 +50,12 @@ ReshadeSum::Advance ReshadeSum::record(const Slice& slice, std::uint16_t label, 
                                   pixels, context.targets);
     const std::uint64_t paths = std::uint64_t{range.count} * samples;
     {
-        const auto region = context.timer.measure(slice.encoder, kind, paths);
+        const auto region = context.sizer.measure(slice.encoder, kind, paths);
         context.reshade.record(slice.encoder, context.geometry, group, block);
     }
     context.dropped.pathsRecorded();
     advance(range, samples);
-    return {range, static_cast<double>(paths) * context.timer.cost(kind, kPathGuess)};
+    return {range, static_cast<double>(paths) * context.sizer.cost(kind, kPathGuess)};
 }
 
 /// Up to `most` pixels that the current sweep takes next.

@@ -32,7 +32,7 @@ double SurfaceLight::record(const Slice& slice, std::uint16_t label, const Surfa
     RenderContext& context = slice.context;
     const std::string kind = "irradiance " + std::to_string(label);
     kernel::IrradianceBlock block =
-        nextPart(context.timer.units(kind, kPathGuess, slice.seconds, kMinPaths), points.count);
+        nextPart(context.sizer.units(kind, kPathGuess, slice.seconds, kMinPaths), points.count);
     block.label = label;
     block.seed = kernel::rng_stream(key_.paths.seed, 2u * label + 1u);
     block.bounces = static_cast<std::uint32_t>(key_.paths.bounces);
@@ -41,7 +41,7 @@ double SurfaceLight::record(const Slice& slice, std::uint16_t label, const Surfa
                                   context.paths, points);
     const std::uint64_t paths = std::uint64_t{block.pointCount} * block.rayCount;
     {
-        const auto region = context.timer.measure(slice.encoder, kind, paths);
+        const auto region = context.sizer.measure(slice.encoder, kind, paths);
         context.translucency.record(slice.encoder, context.geometry, group, block);
     }
     context.dropped.pathsRecorded();
@@ -50,7 +50,7 @@ double SurfaceLight::record(const Slice& slice, std::uint16_t label, const Surfa
         rays_ = 0;
         lit_ += block.pointCount;
     }
-    return static_cast<double>(paths) * context.timer.cost(kind, kPathGuess);
+    return static_cast<double>(paths) * context.sizer.cost(kind, kPathGuess);
 }
 
 /// About `units` paths: all rays of several samples, or some rays of a few.

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -12,7 +14,6 @@
 
 #include "core/analysis/pipeline.h"
 #include "core/base/clock.h"
-#include "core/base/statistics.h"
 #include "core/io/image_io.h"
 #include "core/io/project.h"
 #include "tests/support/temp_folder.h"
@@ -30,7 +31,7 @@ struct Report {
 /// One run of one step.
 struct StepRun {
     double seconds = 0;
-    float halfway = 0;  ///< fraction reported last before half of the time had passed
+    std::array<float, 10> reported{};  ///< fraction reported last before so many tenths of the time had passed
 };
 
 /// Runs work and measures the steps that it reports.
@@ -46,35 +47,45 @@ std::map<Task, StepRun> runSteps(const std::function<void(const core::Progress&)
     for (const auto& [task, all] : reports) {
         StepRun& run = runs[task];
         run.seconds = all.back().seconds - all.front().seconds;
-        for (const Report& report : all)
-            if (report.seconds - all.front().seconds <= 0.5 * run.seconds) run.halfway = report.fraction;
+        for (const Report& report : all) {
+            const double part = (report.seconds - all.front().seconds) / std::max(run.seconds, 1e-9);
+            for (std::size_t tenth = 1; tenth < run.reported.size(); ++tenth)
+                if (part <= 0.1 * static_cast<double>(tenth)) run.reported[tenth] = report.fraction;
+        }
     }
     return runs;
 }
 
-/// Steps shorter than this are not worth a bar, and their times mostly measure the scheduler.
-constexpr double kMinSeconds = 0.05;
+/// A step that was reported wrongly at half of its time.
+struct Untrue {
+    Task task;
+    StepRun run;
+};
 
-/// The median of `count` runs is robust against other work on the machine.
-void expectTrueProgress(int count, const std::function<void(const core::Progress&)>& work) {
-    std::map<Task, std::vector<StepRun>> all;
-    for (int i = 0; i < count; ++i)
-        for (const auto& [task, run] : runSteps(work)) all[task].push_back(run);
-    for (const auto& [task, runs] : all) {
-        std::vector<double> seconds;
-        std::vector<float> halfway;
-        for (const StepRun& run : runs) {
-            seconds.push_back(run.seconds);
-            halfway.push_back(run.halfway);
-        }
-        const double time = core::median(seconds);
-        const float fraction = core::median(halfway);
-        std::printf("task %d: %.3f s, at half of it %.0f %%\n", static_cast<int>(task), time,
-                    100 * static_cast<double>(fraction));
-        if (time < kMinSeconds) continue;
-        EXPECT_GT(fraction, 0.35f) << "task " << static_cast<int>(task) << ", " << time << " s";
-        EXPECT_LT(fraction, 0.65f) << "task " << static_cast<int>(task) << ", " << time << " s";
+/// Runs the work once and prints what it reported.
+std::vector<Untrue> findUntrue(const std::function<void(const core::Progress&)>& work) {
+    /// Shorter steps end before anyone reads a bar, and their times mostly measure the scheduler.
+    constexpr double kMinSeconds = 0.1;
+    constexpr float kTolerance = 0.15f;
+    std::vector<Untrue> result;
+    for (const auto& [task, run] : runSteps(work)) {
+        std::printf("task %d: %.3f s, reported at every tenth of it:", static_cast<int>(task), run.seconds);
+        for (std::size_t tenth = 1; tenth < run.reported.size(); ++tenth)
+            std::printf(" %.2f", static_cast<double>(run.reported[tenth]));
+        std::printf("\n");
+        if (run.seconds >= kMinSeconds && std::abs(run.reported[5] - 0.5f) > kTolerance) result.push_back({task, run});
     }
+    return result;
+}
+
+/// Other work on the machine may disturb a run, so it is repeated before it counts as wrong.
+void expectTrueProgress(const std::function<void(const core::Progress&)>& work) {
+    constexpr int kAttempts = 3;
+    std::vector<Untrue> untrue = findUntrue(work);
+    for (int i = 1; i < kAttempts && !untrue.empty(); ++i) untrue = findUntrue(work);
+    for (const auto& [task, run] : untrue)
+        ADD_FAILURE() << "task " << static_cast<int>(task) << " of " << run.seconds << " s reported " << run.reported[5]
+                      << " at half of it";
 }
 
 Scene studio() { return core::loadProject(PATINA_SAMPLES "/studio/studio.patina"); }
@@ -93,7 +104,7 @@ core::ImageRgb enlarged(const core::ImageRgb& image, int width, int height) {
 
 TEST(TrueProgress, OfExactDepth) {
     const Scene scene = studio();
-    expectTrueProgress(3, [&](const core::Progress& progress) { analyze(scene, progress); });
+    expectTrueProgress([&](const core::Progress& progress) { analyze(scene, progress); });
 }
 
 TEST(TrueProgress, OfNoisyDepth) {
@@ -102,7 +113,7 @@ TEST(TrueProgress, OfNoisyDepth) {
     photo->depth = core::loadScalar(PATINA_SAMPLES "/studio/depth_mm.png");
     for (float& z : photo->depth.pixels()) z *= 0.001f;
     scene.photo = photo;
-    expectTrueProgress(3, [&](const core::Progress& progress) { analyze(scene, progress); });
+    expectTrueProgress([&](const core::Progress& progress) { analyze(scene, progress); });
 }
 
 /// As a phone stores it: depth and labels are much smaller than the photograph.
@@ -117,7 +128,7 @@ TEST(TrueProgress, OfTwelveMegapixels) {
     options.segments = PATINA_SAMPLES "/studio/segments.png";
     options.glossy = {"2"};
     options.hfov = 0.7f;
-    expectTrueProgress(1, [&](const core::Progress& progress) {
+    expectTrueProgress([&](const core::Progress& progress) {
         analyze(core::createScene(options, nullptr, progress.of(Task::LoadPhoto)), progress);
     });
 }

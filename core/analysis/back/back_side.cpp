@@ -19,8 +19,11 @@
 namespace core::analysis {
 namespace {
 
-/// Share of the step that inventing takes; the rest is normals and patch areas.
-constexpr float kInventingShare = 0.7f;
+// Shares of the step's time.
+/// Sorting the pixels by segment.
+constexpr float kSortingEnd = 0.15f;
+/// Inventing; normals and patch areas take the rest.
+constexpr float kInventingEnd = 0.5f;
 /// Thickness of what has no label, relative to its distance.
 constexpr float kUnlabelledThickness = 0.1f;
 constexpr std::size_t kMinMirrorPoints = 16;
@@ -290,11 +293,11 @@ BackLayer inventBackSide(const Camera& camera, const LabelImage& labels, const S
     ImageV3 normals(front.depth.width(), front.depth.height(), Vector3f::Zero());
     auto pixels = pixelsByLabel(labels, front.depth);
     for (const auto& [x, y] : pixels[0]) back.depth(x, y) = front.depth(x, y) * (1 + kUnlabelledThickness);
-    result.segments = inventSegments(scene, pixels, back, normals, context.progress.part(0, kInventingShare));
+    result.segments = inventSegments(scene, pixels, back, normals, context.progress.part(kSortingEnd, kInventingEnd));
     if (userDepth != nullptr && userDepth->sameSize(front.depth)) applyUserDepth(scene, *userDepth, back, normals);
     normalize(camera, normals);
     context.kernels.computeSurface({camera, labels, Side::Back, relativeNoise, &normals}, back,
-                                   context.progress.part(kInventingShare, 1));
+                                   context.progress.part(kInventingEnd, 1));
     return result;
 }
 

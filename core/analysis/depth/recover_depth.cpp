@@ -47,24 +47,24 @@ float remainingNoise(const ImageF& filtered, const LabelImage& labels, const Pro
     return std::max(kMinRemainingNoise, relativeNoise(measureNoise(w, labels, 1, Differences::Fourth, progress), w));
 }
 
-/// Whether depth seems to be exact: it hardly bends from pixel to pixel, and few neighbours are equal. A guess for the
-/// progress only, before the noise is measured.
+/// Whether depth seems to be exact: it hardly bends from pixel to pixel, which rounded depth does at every step. A
+/// guess for the progress only, before the noise is measured.
 bool seemsExact(const ImageF& depth) {
     constexpr float kMaxBend = 1e-4f;
     constexpr std::size_t kSamples = 10000;
     std::vector<float> bends;
-    std::size_t equal = 0;
     const std::size_t stride = depth.size() / kSamples + 1;
     for (std::size_t i = 1; i + 1 < depth.size(); i += stride) {
         if (depth[i - 1] <= 0 || depth[i] <= 0 || depth[i + 1] <= 0) continue;
         bends.push_back(std::abs(depth[i] / depth[i - 1] - 2 + depth[i] / depth[i + 1]));
-        if (depth[i] == depth[i + 1]) ++equal;
     }
-    return !bends.empty() && equal * 10 < bends.size() && median(bends) < kMaxBend;
+    return !bends.empty() && quantile(bends, 0.8) < kMaxBend;
 }
 
 /// Share of the time that goes into measuring the noise. Exact depth needs little else.
-float expectedMeasuringShare(const ImageF& depth) { return seemsExact(depth) ? 0.7f : 0.03f; }
+float expectedMeasuringShare(const Photo& photo, const ImageF& depth) {
+    return photo.depthSampleSpacing <= 1 && seemsExact(depth) ? 0.7f : 0.03f;
+}
 
 /// Which stages a photograph needs, and their expected times [ns on two cores]: progress follows them.
 struct RecoveryPlan {
@@ -100,7 +100,7 @@ RecoveredDepth recoverDepth(const Scene& scene, const StepContext& context) {
     RecoveredDepth result;
     ImageF& depth = result.depth;
     depth = validDepth(photo.depth);
-    const float measuringShare = expectedMeasuringShare(depth);
+    const float measuringShare = expectedMeasuringShare(photo, depth);
     const DepthNoise noise = estimateDepthNoise(inverseOf(depth), photo.labels, photo.depthSampleSpacing,
                                                 context.progress.part(0, measuringShare));
     const RecoveryPlan plan = planRecovery(depth, scene, noise);
