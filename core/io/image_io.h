@@ -46,8 +46,10 @@ struct ImageInfo {
 [[nodiscard]] ImageInfo readImageInfo(const std::string& path);
 /// Whether the file's content is one of the formats above. Throws when there is no such file.
 [[nodiscard]] bool isImageFile(const std::string& path);
-/// Label map: 8 or 16-bit integers (floats when they are whole numbers), palette pictures by index. JPEG is refused.
-[[nodiscard]] LabelImage loadLabels(const std::string& path);
+/// Label map: 8 or 16-bit integers (floats when they are whole numbers), palette pictures by index. JPEG is refused. A
+/// black-and-white mask with soft edges, or one in the alpha channel, is one object (core/io/mask_labels.h); `remarks`
+/// says so.
+[[nodiscard]] LabelImage loadLabels(const std::string& path, Notes* remarks = nullptr);
 
 /// An image file inside another file.
 struct EmbeddedImage {
