@@ -173,6 +173,7 @@ ImageInfo readInfo(ImageReader& reader) {
     if (const float focal = spec.get_float_attribute("Exif:FocalLengthIn35mmFilm", 0.0f);
         std::isfinite(focal) && focal > 0)
         info.focal35mm = focal;
+    info.device = deviceName(spec.get_string_attribute("Make"), spec.get_string_attribute("Model"));
     info.format.floating = spec.format.is_floating_point();
     info.format.bits = static_cast<int>(spec.format.basesize() * 8);
     info.hasDepthChannel = reader.seekPart([](const OIIO::ImageSpec& part) { return findChannel(part, "Z") >= 0; });
@@ -213,6 +214,11 @@ ImageF loadCoverage(const std::string& path) {
     };
     if (!reader.seekPart(hasBoth)) return {};
     return applyOrientation(reader.readChannel(findChannel(reader.spec(), "A")), reader.orientation());
+}
+
+std::string deviceName(const std::string& maker, const std::string& model) {
+    if (maker.empty() || model.starts_with(maker)) return model;
+    return model.empty() ? maker : maker + " " + model;
 }
 
 ImageInfo readImageInfo(const std::string& path) {

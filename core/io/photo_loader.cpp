@@ -26,8 +26,7 @@ constexpr float kImportEnd = 0.5f;
 constexpr float kEnlargeEnd = 0.9f;
 
 constexpr double kDefaultFovDegrees = 60;
-constexpr double kFilmDiagonal = 43.266615;  ///< diagonal [mm] of a 36 mm x 24 mm frame
-constexpr double kShapeTolerance = 0.02;     ///< relative difference of width / height
+constexpr double kShapeTolerance = 0.02;  ///< relative difference of width / height
 
 void note(Notes* notes, Message sentence) {
     if (notes != nullptr) notes->push_back(std::move(sentence));
@@ -125,7 +124,8 @@ Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, const st
     }
     if (info.focal35mm) {
         const double diagonal = std::hypot(w, h);
-        const auto focal = static_cast<float>(static_cast<double>(*info.focal35mm) * diagonal / kFilmDiagonal);
+        const auto focal =
+            static_cast<float>(static_cast<double>(*info.focal35mm) * diagonal / kFilmDiagonal);
         std::ostringstream text;
         text << *info.focal35mm;
         note(notes, Message("messages", "The focal length is taken from \"%1\": %2 mm (35 mm equivalent).")
