@@ -54,7 +54,7 @@ struct ValueCount {
 
 /// nullopt where the values are no labels: negative, not finite or too many. The neighbours of 0 and `maximum` are not
 /// looked at.
-std::optional<std::map<float, ValueCount>> countValues(const ImageF& values, float maximum) {
+std::optional<std::map<float, ValueCount>> valueCounts(const ImageF& values, float maximum) {
     constexpr std::size_t kMaxValues = 65536;
     std::map<float, ValueCount> counts;
     // One search per run, because neighbours are mostly equal.
@@ -94,7 +94,7 @@ std::optional<Message> takeObjectFromAlpha(ImageF& values, const ImageF& alpha, 
 }
 
 std::optional<Message> hardenMask(ImageF& values, float maximum, const std::string& path) {
-    const auto counts = countValues(values, maximum);
+    const auto counts = valueCounts(values, maximum);
     if (!counts) return std::nullopt;
     ValueCount middle;
     std::size_t middleValues = 0, softLabels = 0;

@@ -46,7 +46,7 @@ void visitPaths(json& project, const Visit& visit) {
     }
 }
 
-std::string resolved(const std::string& folder, const std::string& path) {
+std::string fullPath(const std::string& folder, const std::string& path) {
     const fs::path given(path);
     return given.is_absolute() ? path : (fs::path(folder) / given).string();
 }
@@ -58,7 +58,7 @@ std::vector<std::string> missingFiles(const std::string& project, const MovedFil
     const std::string folder = fs::path(project).parent_path().string();
     std::vector<std::string> missing;
     visitPaths(document, [&](std::string& path) {
-        const std::string expected = resolved(folder, path);
+        const std::string expected = fullPath(folder, path);
         const auto found = moved.find(expected);
         std::error_code code;
         if (fs::exists(found != moved.end() ? found->second : expected, code)) return;
@@ -88,7 +88,7 @@ MovedFiles filesBeside(std::span<const std::string> missing, const std::string& 
 
 void replaceMovedFiles(json& project, const std::string& folder, const MovedFiles& moved) {
     visitPaths(project, [&](std::string& path) {
-        const auto found = moved.find(resolved(folder, path));
+        const auto found = moved.find(fullPath(folder, path));
         if (found != moved.end()) path = fs::absolute(found->second).string();
     });
 }

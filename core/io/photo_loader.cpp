@@ -124,8 +124,7 @@ Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, const st
     }
     if (info.focal35mm) {
         const double diagonal = std::hypot(w, h);
-        const auto focal =
-            static_cast<float>(static_cast<double>(*info.focal35mm) * diagonal / kFilmDiagonal);
+        const auto focal = static_cast<float>(static_cast<double>(*info.focal35mm) * diagonal / kFilmDiagonal);
         std::ostringstream text;
         text << *info.focal35mm;
         note(notes, Message("messages", "The focal length is taken from \"%1\": %2 mm (35 mm equivalent).")

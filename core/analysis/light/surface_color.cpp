@@ -14,7 +14,7 @@ namespace core {
 
 namespace {
 
-constexpr float kMeanReflectance = 0.18f;
+constexpr float kMeterReflectance = 0.18f;
 constexpr float kMaxAlbedo = 0.9f;
 constexpr std::size_t kMaxPixels = 40000;
 constexpr int kPickRadius = 2;
@@ -45,7 +45,7 @@ class Shading {
         double sum = 0;
         for (const Vector3f& c : photo.color.pixels()) sum += static_cast<double>(luminance(c));
         const auto count = static_cast<double>(std::max<std::size_t>(photo.color.size(), 1));
-        uniform_ = static_cast<float>(sum / count) / kMeanReflectance;
+        uniform_ = static_cast<float>(sum / count) / kMeterReflectance;
     }
 
     /// 0 = unknown.
