@@ -15,7 +15,7 @@ namespace {
 using Cell = std::array<int, 3>;
 
 constexpr std::size_t kMaxLevels = 16;
-constexpr int kSpline = 1;                                    // cells to either side that a sample or a pixel meets
+constexpr int kSplineReach = 1;                               // cells to either side that a sample or a pixel meets
 constexpr int kSmoothing = kWideSteps - kNarrowSteps;         // and that wide is made of
 constexpr double kNarrowVariance = 0.5 + kNarrowSteps / 3.0;  // in cells
 constexpr double kWideVariance = 0.5 + kWideSteps / 3.0;
@@ -110,18 +110,18 @@ struct Builder {
         const auto found = [&](std::size_t level) { return static_cast<std::uint32_t>(maps[level].origins.size()); };
         for (const std::uint32_t pixel : pixels) {
             const Eigen::Vector3d place = placeOf(pointOf(pixel));
-            if (!addAround(place, kSpline)) return false;
+            if (!addAround(place, kSplineReach)) return false;
             Cell c{};
             for (int k = 0; k < 3; ++k) c[static_cast<std::size_t>(k)] = static_cast<int>(std::floor(place[k])) >> 2;
             grid.pixels.push_back({pixel, *maps[0].find(c)});
         }
         grid.levels[0].wanted = found(0);
         for (const std::uint32_t pixel : pixels)
-            if (!addAround(placeOf(pointOf(pixel)), kSpline + kSmoothing)) return false;
+            if (!addAround(placeOf(pointOf(pixel)), kSplineReach + kSmoothing)) return false;
         grid.levels[0].near = found(0);
         for (const Vector3f& p : positions) {
             const Eigen::Vector3d place = placeOf(p);
-            if (!addAround(place, kSpline)) return false;
+            if (!addAround(place, kSplineReach)) return false;
             grid.places.push_back(
                 {static_cast<float>(place.x()), static_cast<float>(place.y()), static_cast<float>(place.z()), 0});
         }
@@ -189,7 +189,7 @@ struct Builder {
         std::vector<kernel::uint> counts(grid.levels[0].count + 1, 0);
         const auto forReached = [&](const auto& visit) {
             for (std::size_t i = 0; i < positions.size(); ++i) {
-                const auto [low, high] = reach(placeOf(positions[i]), kSpline);
+                const auto [low, high] = reach(placeOf(positions[i]), kSplineReach);
                 forBricks(low, high, [&](const Cell& c) { visit(i, *maps[0].find(c)); });
             }
         };

@@ -15,7 +15,7 @@
 
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kMaskSize = 64;
 
 /// Share of a pixel that lies inside, from 8 x 8 points.
 double coverageOf(int x, int y, const std::function<bool(double, double)>& inside) {
@@ -28,9 +28,9 @@ double coverageOf(int x, int y, const std::function<bool(double, double)>& insid
 
 /// A disc of this radius [px] with antialiased edges, values from 0 to `maximum`.
 core::ImageF softDisc(double radius, double maximum, int center = 30) {
-    core::ImageF values(kSize, kSize);
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x)
+    core::ImageF values(kMaskSize, kMaskSize);
+    for (int y = 0; y < kMaskSize; ++y)
+        for (int x = 0; x < kMaskSize; ++x)
             values(x, y) = static_cast<float>(std::round(maximum * coverageOf(x, y, [&](double u, double v) {
                                                              return std::hypot(u - center, v - center) < radius;
                                                          })));
@@ -53,10 +53,10 @@ std::string rowsOf(const core::ImageF& values, int bytes, const core::ImageF* al
 
 void writePng(const std::string& path, const core::ImageF& values, int bits, const core::ImageF* alpha = nullptr) {
     const std::string all = rowsOf(values, bits / 8, alpha);
-    const std::size_t stride = all.size() / kSize;
+    const std::size_t stride = all.size() / kMaskSize;
     std::vector<std::string> rows;
-    for (std::size_t y = 0; y < kSize; ++y) rows.push_back(all.substr(y * stride, stride));
-    test::writeBytes(path, test::pngBytes(kSize, kSize, bits, alpha != nullptr ? 4 : 0, rows));
+    for (std::size_t y = 0; y < kMaskSize; ++y) rows.push_back(all.substr(y * stride, stride));
+    test::writeBytes(path, test::pngBytes(kMaskSize, kMaskSize, bits, alpha != nullptr ? 4 : 0, rows));
 }
 
 std::set<int> labelsIn(const core::LabelImage& labels) { return {labels.pixels().begin(), labels.pixels().end()}; }
@@ -98,10 +98,10 @@ TEST_F(MaskLabels, SoftEdgesOfAMaskAreOneObject) {
 }
 
 TEST_F(MaskLabels, SoHaveFeatheredAndThinObjects) {
-    core::ImageF feathered(kSize, kSize);
-    core::ImageF line(kSize, kSize);
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
+    core::ImageF feathered(kMaskSize, kMaskSize);
+    core::ImageF line(kMaskSize, kMaskSize);
+    for (int y = 0; y < kMaskSize; ++y)
+        for (int x = 0; x < kMaskSize; ++x) {
             const double r = std::hypot(x - 30.3, y - 31.1);
             feathered(x, y) = static_cast<float>(std::round(255 * std::clamp((22 - r) / 6, 0.0, 1.0)));
             line(x, y) = static_cast<float>(
@@ -120,7 +120,7 @@ TEST_F(MaskLabels, FloatMaskIsOneObjectToo) {
     const core::ImageF disc = softDisc(20, 255);
     std::vector<float> values;
     for (const float v : disc.pixels()) values.push_back(v / 255);
-    test::writePfm(folder / "mask.pfm", kSize, kSize, 1, values);
+    test::writePfm(folder / "mask.pfm", kMaskSize, kMaskSize, 1, values);
     const core::LabelImage labels = core::loadLabels(folder / "mask.pfm", &remarks);
     EXPECT_EQ(labelsIn(labels), (std::set<int>{0, 1}));
     EXPECT_EQ(remarks.size(), 1U);
@@ -130,7 +130,8 @@ TEST_F(MaskLabels, ObjectInTheAlphaChannel) {
     const core::ImageF alpha = softDisc(20, 255);
     core::ImageF cut = alpha;
     for (float& v : cut.pixels()) v = v > 0 ? 255.0f : 0.0f;
-    for (const core::ImageF& values : {core::ImageF(kSize, kSize, 0.0f), core::ImageF(kSize, kSize, 255.0f), cut}) {
+    for (const core::ImageF& values :
+         {core::ImageF(kMaskSize, kMaskSize, 0.0f), core::ImageF(kMaskSize, kMaskSize, 255.0f), cut}) {
         remarks.clear();
         writePng(folder / "alpha.png", values, 8, &alpha);
         const core::LabelImage labels = core::loadLabels(folder / "alpha.png", &remarks);
@@ -140,11 +141,11 @@ TEST_F(MaskLabels, ObjectInTheAlphaChannel) {
 }
 
 TEST_F(MaskLabels, AlphaOfALabelMapIsIgnored) {
-    core::ImageF values(kSize, kSize, 0.0f);
-    core::ImageF alpha(kSize, kSize, 255.0f);
+    core::ImageF values(kMaskSize, kMaskSize, 0.0f);
+    core::ImageF alpha(kMaskSize, kMaskSize, 255.0f);
     for (int y = 10; y < 30; ++y)
         for (int x = 5; x < 60; ++x) values(x, y) = x < 30 ? 1.0f : 2.0f;
-    for (int x = 0; x < kSize; ++x) alpha(x, 20) = 0;
+    for (int x = 0; x < kMaskSize; ++x) alpha(x, 20) = 0;
     writePng(folder / "labels.png", values, 8, &alpha);
     const core::LabelImage labels = core::loadLabels(folder / "labels.png", &remarks);
     for (std::size_t i = 0; i < labels.size(); ++i) ASSERT_EQ(labels[i], values[i]);
@@ -152,19 +153,19 @@ TEST_F(MaskLabels, AlphaOfALabelMapIsIgnored) {
 }
 
 TEST_F(MaskLabels, LabelMapsStayAsTheyAre) {
-    core::ImageF areas(kSize, kSize, 0.0f);   // few large objects, the last label the largest that fits
-    core::ImageF voided(kSize, kSize, 0.0f);  // objects with a border of the label 255 around each
-    core::ImageF crumbs(kSize, kSize, 0.0f);  // objects of one pixel
-    core::ImageF ramp(kSize, kSize, 0.0f);    // every pixel an object
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
+    core::ImageF areas(kMaskSize, kMaskSize, 0.0f);   // few large objects, the last label the largest that fits
+    core::ImageF voided(kMaskSize, kMaskSize, 0.0f);  // objects with a border of the label 255 around each
+    core::ImageF crumbs(kMaskSize, kMaskSize, 0.0f);  // objects of one pixel
+    core::ImageF ramp(kMaskSize, kMaskSize, 0.0f);    // every pixel an object
+    for (int y = 0; y < kMaskSize; ++y)
+        for (int x = 0; x < kMaskSize; ++x) {
             areas(x, y) = x < 16 ? 0.0f : x < 32 ? 90.0f : x < 40 ? 91.0f : x < 50 ? 200.0f : 255.0f;
             const int u = x % 16, v = y % 16;
             const bool border = u == 1 || v == 1 || u == 14 || v == 14;
             if (u > 0 && v > 0 && u < 15 && v < 15)
                 voided(x, y) = border ? 255.0f : static_cast<float>(1 + x / 16 + 4 * (y / 16));
             if (x % 4 == 1 && y % 4 == 1) crumbs(x, y) = static_cast<float>(x / 4 + 16 * (y / 4));
-            ramp(x, y) = static_cast<float>(x + kSize * y) * 65535 / (kSize * kSize - 1);
+            ramp(x, y) = static_cast<float>(x + kMaskSize * y) * 65535 / (kMaskSize * kMaskSize - 1);
             ramp(x, y) = std::round(ramp(x, y));
         }
     expectLabelMap(areas, 8);
@@ -172,7 +173,7 @@ TEST_F(MaskLabels, LabelMapsStayAsTheyAre) {
     expectLabelMap(crumbs, 8);
     remarks.clear();
     writePng(folder / "ramp.png", ramp, 16);
-    EXPECT_EQ(labelsIn(core::loadLabels(folder / "ramp.png")).size(), std::size_t{kSize * kSize});
+    EXPECT_EQ(labelsIn(core::loadLabels(folder / "ramp.png")).size(), std::size_t{kMaskSize * kMaskSize});
 }
 
 TEST_F(MaskLabels, SoftEdgesBetweenSeveralObjectsAreSaid) {
@@ -186,15 +187,16 @@ TEST_F(MaskLabels, SoftEdgesBetweenSeveralObjectsAreSaid) {
 }
 
 TEST_F(MaskLabels, ValuesThatAreNoNumbersAreNoMask) {
-    core::ImageF values(kSize, kSize, std::numeric_limits<float>::quiet_NaN());
+    core::ImageF values(kMaskSize, kMaskSize, std::numeric_limits<float>::quiet_NaN());
     EXPECT_FALSE(core::hardenMask(values, 1, "nan.exr"));
-    values = core::ImageF(kSize, kSize, -1.0f);
+    values = core::ImageF(kMaskSize, kMaskSize, -1.0f);
     EXPECT_FALSE(core::hardenMask(values, 1, "negative.exr"));
 }
 
 TEST_F(MaskLabels, ANewProjectHasOneSegmentAndANote) {
-    test::writePnm8(folder / "c.ppm", kSize, kSize, 3, std::vector<std::uint8_t>(3UL * kSize * kSize, 99));
-    test::writePfm(folder / "d.pfm", kSize, kSize, 1, std::vector<float>(1UL * kSize * kSize, 1.0f));
+    test::writePnm8(folder / "c.ppm", kMaskSize, kMaskSize, 3,
+                    std::vector<std::uint8_t>(3UL * kMaskSize * kMaskSize, 99));
+    test::writePfm(folder / "d.pfm", kMaskSize, kMaskSize, 1, std::vector<float>(1UL * kMaskSize * kMaskSize, 1.0f));
     writePng(folder / "mask.png", softDisc(20, 65535), 16);
     core::CreateOptions options;
     options.color = folder / "c.ppm";

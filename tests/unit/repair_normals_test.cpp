@@ -13,30 +13,30 @@ namespace {
 
 using core::Vector3f;
 
-constexpr int kSize = 120;
+constexpr int kFoldSize = 120;
 constexpr float kRadius = 50;  // [px]
 
 struct Shown {
     core::Camera camera;
-    core::LabelImage labels{kSize, kSize, 0};
+    core::LabelImage labels{kFoldSize, kFoldSize, 0};
     core::Surface surface;
 };
 
 /// Of a pixel, from the middle of the picture [px].
-float centred(int x) { return static_cast<float>(x) + 0.5f - 0.5f * kSize; }
+float centred(int x) { return static_cast<float>(x) + 0.5f - 0.5f * kFoldSize; }
 
 /// A picture whose labelled pixels have the given normals, on a plane 1 m away.
 template <class Normal>
 Shown shown(const Normal& normal) {
     Shown s;
-    s.camera.fx = s.camera.fy = 10 * kSize;  // as good as parallel rays
-    s.camera.cx = s.camera.cy = 0.5f * kSize;
-    s.surface.depth = core::ImageF(kSize, kSize, 1.0f);
-    s.surface.normal = core::ImageV3(kSize, kSize, Vector3f(0, 0, -1));
-    s.surface.position = core::ImageV3(kSize, kSize, Vector3f(0, 0, 1));
-    s.surface.area = core::ImageF(kSize, kSize, 1.0f);
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
+    s.camera.fx = s.camera.fy = 10 * kFoldSize;  // as good as parallel rays
+    s.camera.cx = s.camera.cy = 0.5f * kFoldSize;
+    s.surface.depth = core::ImageF(kFoldSize, kFoldSize, 1.0f);
+    s.surface.normal = core::ImageV3(kFoldSize, kFoldSize, Vector3f(0, 0, -1));
+    s.surface.position = core::ImageV3(kFoldSize, kFoldSize, Vector3f(0, 0, 1));
+    s.surface.area = core::ImageF(kFoldSize, kFoldSize, 1.0f);
+    for (int y = 0; y < kFoldSize; ++y)
+        for (int x = 0; x < kFoldSize; ++x) {
             s.surface.position(x, y) = s.camera.backProject(x, y, 1);
             const Vector3f n = normal(centred(x) / kRadius, centred(y) / kRadius);
             if (n.isZero(0)) continue;
@@ -70,8 +70,8 @@ std::vector<std::size_t> breakRim(Shown& scene, unsigned seed, bool depthToo) {
     std::mt19937 random(seed);
     std::normal_distribution<float> spread(0, 1);
     std::vector<std::size_t> wrong;
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < kFoldSize; ++y)
+        for (int x = 0; x < kFoldSize; ++x) {
             const float r = std::hypot(centred(x), centred(y));
             if (r >= kRadius || r < kRadius - 6) continue;
             Vector3f n(spread(random), spread(random), spread(random));
@@ -99,8 +99,8 @@ TEST(RepairNormals, ABrokenRimFollowsWhatIsBesideIt) {
     }
     EXPECT_GT(median(before), 40);
     EXPECT_LT(median(after), 25);
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < kFoldSize; ++y)
+        for (int x = 0; x < kFoldSize; ++x) {
             const float r = std::hypot(centred(x), centred(y));
             if (r > kRadius - 9) continue;
             ASSERT_EQ(settled.surface.normal(x, y), truth.surface.normal(x, y)) << x << " " << y;

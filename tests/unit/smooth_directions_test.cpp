@@ -12,11 +12,12 @@ namespace {
 using core::DirectionalMap;
 using core::Vector3f;
 
-constexpr int kHeight = 64;
-constexpr float kTexel = std::numbers::pi_v<float> / kHeight;
+constexpr int kMapHeight = 64;
+constexpr float kTexel = std::numbers::pi_v<float> / kMapHeight;
 
 DirectionalMap emptyMap() {
-    return {core::ImageRgb(2 * kHeight, kHeight, Vector3f::Zero()), core::ImageF(2 * kHeight, kHeight, 0.0f)};
+    return {core::ImageRgb(2 * kMapHeight, kMapHeight, Vector3f::Zero()),
+            core::ImageF(2 * kMapHeight, kMapHeight, 0.0f)};
 }
 
 /// Light with edges: what a mirror shows.
@@ -24,8 +25,8 @@ float truth(int x, int y) { return (x / 5 + y / 7) % 2 == 0 ? 1.0f : 4.0f; }
 
 TEST(SmoothDirections, AConstantStaysAndGapsStay) {
     DirectionalMap map = emptyMap();
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < 2 * kHeight; ++x)
+    for (int y = 0; y < kMapHeight; ++y)
+        for (int x = 0; x < 2 * kMapHeight; ++x)
             if ((x * 7 + y * 3) % 5 != 0) {
                 map.radiance(x, y) = {1, 2, 3};
                 map.coverage(x, y) = static_cast<float>(1 + x % 4);
@@ -46,8 +47,8 @@ TEST(SmoothDirections, SpreadsByTheGivenAngle) {
         core::analysis::smoothDirections(map, 4 * kTexel);
         double sum = 0;
         double squared = 0;
-        for (int y = 0; y < kHeight; ++y) {
-            for (int x = 0; x < 2 * kHeight; ++x) {
+        for (int y = 0; y < kMapHeight; ++y) {
+            for (int x = 0; x < 2 * kMapHeight; ++x) {
                 const Vector3f d = DirectionalMap::directionFromTexel(
                     {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}, 128, 64);
                 const double weight =
@@ -66,8 +67,8 @@ TEST(SmoothDirections, SpreadsByTheGivenAngle) {
 
 TEST(SmoothDirections, AMirrorAgreesWithItself) {
     DirectionalMap one = emptyMap();
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < 2 * kHeight; ++x) {
+    for (int y = 0; y < kMapHeight; ++y)
+        for (int x = 0; x < 2 * kMapHeight; ++x) {
             one.radiance(x, y) = Vector3f::Constant(truth(x, y));
             one.coverage(x, y) = 1;
         }
@@ -80,9 +81,9 @@ TEST(SmoothDirections, ContradictionsAreSmoothedUntilTheyAgree) {
     DirectionalMap one = emptyMap();
     DirectionalMap other = emptyMap();
     DirectionalMap both = emptyMap();
-    const auto slow = [](int y) { return 1 + static_cast<float>(y) / kHeight; };
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < 2 * kHeight; ++x) {
+    const auto slow = [](int y) { return 1 + static_cast<float>(y) / kMapHeight; };
+    for (int y = 0; y < kMapHeight; ++y)
+        for (int x = 0; x < 2 * kMapHeight; ++x) {
             one.radiance(x, y) = Vector3f::Constant(slow(y) * noise(random));
             other.radiance(x, y) = Vector3f::Constant(slow(y) * noise(random));
             both.radiance(x, y) = 0.5f * (one.radiance(x, y) + other.radiance(x, y));
@@ -93,8 +94,8 @@ TEST(SmoothDirections, ContradictionsAreSmoothedUntilTheyAgree) {
     const float mean = std::exp(0.32f);  // of the noise
     const auto error = [&](const DirectionalMap& map) {
         double sum = 0;
-        for (int y = 0; y < kHeight; ++y)
-            for (int x = 0; x < 2 * kHeight; ++x)
+        for (int y = 0; y < kMapHeight; ++y)
+            for (int x = 0; x < 2 * kMapHeight; ++x)
                 sum += std::abs(static_cast<double>(map.radiance(x, y).x() / (mean * slow(y)) - 1));
         return sum;
     };
@@ -106,8 +107,8 @@ TEST(SmoothDirections, ContradictionsAreSmoothedUntilTheyAgree) {
 TEST(SmoothDirections, TooLittleInCommonSaysNothing) {
     DirectionalMap one = emptyMap();
     DirectionalMap other = emptyMap();
-    for (int x = 0; x < 2 * kHeight; ++x) {
-        (x < kHeight ? one : other).coverage(x, 32) = 1;
+    for (int x = 0; x < 2 * kMapHeight; ++x) {
+        (x < kMapHeight ? one : other).coverage(x, 32) = 1;
         one.radiance(x, 32) = {1, 1, 1};
     }
     for (int x = 0; x < 5; ++x) other.coverage(x, 32) = 1;  // 0.012 sr

@@ -10,7 +10,7 @@ namespace core {
 
 namespace {
 
-constexpr const char* kPixels = "http://ns.apple.com/pixeldatainfo/1.0/";
+constexpr const char* kPixelDataNamespace = "http://ns.apple.com/pixeldatainfo/1.0/";
 constexpr const char* kAppleDepth = "http://ns.apple.com/depthData/1.0/";
 
 /// The matrix is stored column by column.
@@ -27,19 +27,19 @@ std::optional<Camera> readCamera(const Xmp& xmp) {
 }  // namespace
 
 std::optional<AppleDepth> readAppleDepth(const ImportFile& file, const Xmp& xmp) {
-    const auto type = xmp.text(kPixels, "AuxiliaryImageType");
+    const auto type = xmp.text(kPixelDataNamespace, "AuxiliaryImageType");
     if (type != "disparity" && type != "depth") return std::nullopt;
     AppleDepth apple;
     if (type == "depth") apple.kind = DepthKind::Z;
-    const auto least = xmp.number(kPixels, "FloatMinValue");
-    const auto most = xmp.number(kPixels, "FloatMaxValue");
+    const auto least = xmp.number(kPixelDataNamespace, "FloatMinValue");
+    const auto most = xmp.number(kPixelDataNamespace, "FloatMaxValue");
     if (!least || !most || !std::isfinite(*least) || !std::isfinite(*most) || !(*most > *least))
         file.fail(Message("messages", "its %1 image has no range, expected FloatMinValue < FloatMaxValue in the XMP")
                       .with(*type));
     apple.least = *least;
     apple.most = *most;
-    apple.leastStored = xmp.number(kPixels, "IntMinValue").value_or(0);
-    apple.mostStored = xmp.number(kPixels, "IntMaxValue").value_or(255);
+    apple.leastStored = xmp.number(kPixelDataNamespace, "IntMinValue").value_or(0);
+    apple.mostStored = xmp.number(kPixelDataNamespace, "IntMaxValue").value_or(255);
     if (!(apple.mostStored > apple.leastStored))
         file.fail(
             Message("messages", "its %1 image has integers from IntMinValue %2 to IntMaxValue %3, expected a range")

@@ -13,7 +13,7 @@ namespace {
 /// RMS residual of the pin-hole fit [px].
 constexpr double kMaxResidual = 2;
 /// Points needed for a reliable fit.
-constexpr std::size_t kMinPoints = 100;
+constexpr std::size_t kMinCloudPoints = 100;
 
 bool recognisesPcd(const ImportFile& file) {
     return file.head().starts_with("# .PCD") ||
@@ -69,9 +69,9 @@ Camera fitCamera(const ImportFile& file, const PcdPoints& points, const PcdField
             vertical.add(slopeY, v + 0.5);
             ++valid;
         }
-    if (valid < kMinPoints)
-        file.fail(
-            Message("messages", "only %1 points have x, y and z > 0, expected %2 or more").with(valid, kMinPoints));
+    if (valid < kMinCloudPoints)
+        file.fail(Message("messages", "only %1 points have x, y and z > 0, expected %2 or more")
+                      .with(valid, kMinCloudPoints));
     const Camera camera{depth.width(),
                         depth.height(),
                         static_cast<float>(horizontal.focal()),
