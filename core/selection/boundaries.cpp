@@ -21,8 +21,7 @@ constexpr float kColorOnSmoothDepth = 0.45f;
 /// Cosines between the normals on both sides of a crease: none, and a full boundary.
 constexpr float kFlat = 0.985f;
 constexpr float kCrease = 0.80f;
-/// Strengths of a full concave and convex crease. Solids meet in concave ones (Stein et al., "Object partitioning using
-/// local convexity", CVPR 2014).
+/// Strengths of a full concave and convex crease. Solids meet in concave ones ([SSPW14]).
 constexpr float kConcave = 0.85f;
 constexpr float kConvex = 0.22f;
 /// Strength of the border of the region without depth.

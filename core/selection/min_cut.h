@@ -10,9 +10,8 @@
 
 namespace core {
 
-/// Minimum cut between two terminals, object and rest, by augmenting paths in two search trees (Boykov and Kolmogorov,
-/// "An experimental comparison of min-cut/max-flow algorithms", PAMI 2004). Capacities are integers, so that the result
-/// is exact and independent of rounding.
+/// Minimum cut between two terminals, object and rest, by augmenting paths in two search trees ([BK04]). Capacities are
+/// integers, so that the result is exact and independent of rounding.
 class MinCut {
   public:
     using Capacity = std::int64_t;

@@ -18,13 +18,15 @@ constexpr float kLeastCost = 0.04f;
 constexpr float kNoise = 0.015f;
 constexpr std::uint32_t kOutside = 0xffffffffU;
 
-/// Pixels of the band in the box around it, numbered; kOutside elsewhere.
+/// Pixels of the photograph in which the outline may move, numbered, and the box around them.
 struct Band {
     PixelBox box;
     std::vector<Pixel> pixels;
-    Image<std::uint32_t> number;  ///< relative to the box
-    [[nodiscard]] std::uint32_t at(int x, int y) const { return number(x - box.x0, y - box.y0); }
-    [[nodiscard]] bool contains(int x, int y) const { return x >= box.x0 && y >= box.y0 && x <= box.x1 && y <= box.y1; }
+    Image<std::uint32_t> number;  ///< relative to the box; kOutside beside the band
+    [[nodiscard]] std::uint32_t at(int x, int y) const {
+        const bool inside = x >= box.x0 && y >= box.y0 && x <= box.x1 && y <= box.y1;
+        return inside ? number(x - box.x0, y - box.y0) : kOutside;
+    }
 };
 
 /// Part of the picture in which an outline may move, as an image of its own.
@@ -56,19 +58,28 @@ BinaryMask coreOf(const BinaryMask& mask, int radius) {
     return core;
 }
 
-Band bandOf(const Crop& crop, int radius) {
+Band bandOf(const Crop& crop, int radius, int factor, const Image<PackedLab>& lab) {
     const BinaryMask inside = coreOf(crop.mask, radius);
     const BinaryMask outside = coreOf(invertMask(crop.mask), radius);
     Band band;
-    band.box = crop.box;
-    band.number = Image<std::uint32_t>(crop.mask.width(), crop.mask.height(), kOutside);
-    for (int y = 0; y < crop.mask.height(); ++y)
-        for (int x = 0; x < crop.mask.width(); ++x) {
-            if (inside(x, y) != 0 || outside(x, y) != 0) continue;
+    band.box = {crop.box.x0 * factor, crop.box.y0 * factor, std::min((crop.box.x1 + 1) * factor, lab.width()) - 1,
+                std::min((crop.box.y1 + 1) * factor, lab.height()) - 1};
+    band.number = Image<std::uint32_t>(band.box.width(), band.box.height(), kOutside);
+    for (int y = 0; y < band.box.height(); ++y)
+        for (int x = 0; x < band.box.width(); ++x) {
+            if (inside(x / factor, y / factor) != 0 || outside(x / factor, y / factor) != 0) continue;
             band.number(x, y) = static_cast<std::uint32_t>(band.pixels.size());
-            band.pixels.push_back({crop.box.x0 + x, crop.box.y0 + y});
+            band.pixels.push_back({band.box.x0 + x, band.box.y0 + y});
         }
     return band;
+}
+
+BinaryMask enlarged(const BinaryMask& mask, const Image<PackedLab>& lab, int factor) {
+    if (factor == 1) return mask;
+    BinaryMask large(lab.width(), lab.height());
+    for (int y = 0; y < large.height(); ++y)
+        for (int x = 0; x < large.width(); ++x) large(x, y) = mask(x / factor, y / factor);
+    return large;
 }
 
 /// Cost of a boundary between two neighbours.
@@ -89,14 +100,14 @@ float contrastScale(const Band& band, const Image<PackedLab>& lab) {
 
 }  // namespace
 
-void refineOutline(BinaryMask& mask, const Image<PackedLab>& lab, int radius, const std::vector<Pixel>& fixed,
-                   const Progress& progress) {
-    if (radius < 1) return;
+BinaryMask refineOutline(const BinaryMask& mask, const Image<PackedLab>& lab, int factor, int radius,
+                         const std::vector<Pixel>& fixed, const Progress& progress) {
+    BinaryMask result = enlarged(mask, lab, factor);
     const Crop crop = cropAround(mask, 3 * radius + 2);
-    if (crop.box.empty()) return;
-    const Band band = bandOf(crop, radius);
-    if (band.pixels.empty()) return;
-    progress.checkpoint(0.2f);
+    if (radius < 1 || crop.box.empty()) return result;
+    const Band band = bandOf(crop, radius, factor, lab);
+    if (band.pixels.empty()) return result;
+    progress.checkpoint(0.3f);
     MinCut cut(band.pixels.size());
     const float scale = contrastScale(band, lab);
     for (std::uint32_t i = 0; i < band.pixels.size(); ++i) {
@@ -105,19 +116,22 @@ void refineOutline(BinaryMask& mask, const Image<PackedLab>& lab, int radius, co
             const int x = p.x + step.x, y = p.y + step.y;
             if (!lab.contains(x, y)) continue;
             const MinCut::Capacity cost = boundaryCost(lab(p.x, p.y), lab(x, y), scale);
-            const std::uint32_t other = band.contains(x, y) ? band.at(x, y) : kOutside;
+            const std::uint32_t other = band.at(x, y);
+            const bool selected = result(x, y) != 0;
             if (other == kOutside)
-                cut.addNode(i, mask(x, y) != 0 ? cost : 0, mask(x, y) != 0 ? 0 : cost);
+                cut.addNode(i, selected ? cost : 0, selected ? 0 : cost);
             else if (step.x + step.y > 0)
                 cut.addEdge(i, other, cost);
         }
     }
-    for (const Pixel& p : fixed)
-        if (band.contains(p.x, p.y) && band.at(p.x, p.y) != kOutside)
-            cut.addNode(band.at(p.x, p.y), mask(p.x, p.y) != 0 ? MinCut::kMaxCapacity : 0,
-                        mask(p.x, p.y) != 0 ? 0 : MinCut::kMaxCapacity);
+    for (const Pixel& p : fixed) {
+        if (band.at(p.x, p.y) == kOutside) continue;
+        const bool selected = result(p.x, p.y) != 0;
+        cut.addNode(band.at(p.x, p.y), selected ? MinCut::kMaxCapacity : 0, selected ? 0 : MinCut::kMaxCapacity);
+    }
     const std::vector<std::uint8_t> object = cut.solve(progress.part(0.5f, 1.0f));
-    for (std::size_t i = 0; i < band.pixels.size(); ++i) mask(band.pixels[i].x, band.pixels[i].y) = object[i];
+    for (std::size_t i = 0; i < band.pixels.size(); ++i) result(band.pixels[i].x, band.pixels[i].y) = object[i];
+    return result;
 }
 
 }  // namespace core

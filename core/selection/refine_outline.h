@@ -9,10 +9,10 @@
 
 namespace core {
 
-/// Moves the outline of a selection, by at most `radius` pixels, to where the colour changes: the
-/// cheapest closed line within that band. Pixels of `fixed` keep their value.
-/// Throws Error(Cancelled).
-void refineOutline(BinaryMask& mask, const Image<PackedLab>& lab, int radius, const std::vector<Pixel>& fixed,
-                   const Progress& progress);
+/// A selection enlarged to the size of `lab`, with its outline moved to where the colour changes: the cheapest closed
+/// line within `radius` pixels of `mask`, each of which covers `factor`² pixels of `lab`. Parts of the selection and
+/// gaps in it that are narrower than this band, and the pixels `fixed` of `lab`, stay. Throws Error(Cancelled).
+[[nodiscard]] BinaryMask refineOutline(const BinaryMask& mask, const Image<PackedLab>& lab, int factor, int radius,
+                                       const std::vector<Pixel>& fixed, const Progress& progress);
 
 }  // namespace core

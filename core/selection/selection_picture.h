@@ -21,8 +21,7 @@ struct SelectionInput {
     float depthSampleSpacing = 1;  ///< photograph pixels per pixel of the stored depth map, ≥ 1
 };
 
-/// OKLab in 8 bits per channel: L in [0, 1], a and b in [-0.4, 0.4] mapped to [0, 255] (Ottosson, "A perceptual color
-/// space for image processing", 2020).
+/// OKLab in 8 bits per channel: L in [0, 1], a and b in [-0.4, 0.4] mapped to [0, 255] ([Ott20]).
 using PackedLab = std::array<std::uint8_t, 3>;
 
 /// How far the depth map can be trusted.
@@ -56,7 +55,7 @@ struct BoundaryStrength {
 };
 
 /// Combines what colour, depth steps and creases say (docs/method.md#selection); each pixel believes the cue that tells
-/// most (Feng, Price, Cohen and Chang, "Interactive segmentation on RGBD images via cue selection", CVPR 2016). May set
+/// most ([FPCC16]). May set
 /// `picture.quality.edgeOffset`. Throws Error(Cancelled).
 [[nodiscard]] BoundaryStrength findBoundaries(SelectionPicture& picture, const Progress& progress);
 

@@ -24,7 +24,7 @@ constexpr float kMaxCell = 8;
 /// Largest area that a further seed adds or takes away, in parts of what the first ones selected.
 constexpr float kMaxAdded = 1.5f;
 constexpr float kMaxRemoved = 0.5f;
-/// How far the outline moves where regions are found at another resolution or without exact depth [working px].
+/// How far the outline moves to meet the photograph's edges where depth does not fix it [working px].
 constexpr int kOutlineBand = 2;
 /// Weight of a colour difference (OKLab) against a distance [px] where a superpixel has seeds of both kinds.
 constexpr float kColorDistance = 200;
@@ -101,11 +101,10 @@ void keepLinked(const Superpixels& superpixels, const std::vector<std::uint32_t>
         if (kept[find(i)] == 0) object[i] = 0;
 }
 
-BinaryMask maskOf(const Selector::State& state, const std::vector<std::uint8_t>& object) {
-    const int factor = state.picture.factor;
-    BinaryMask mask(state.lab.width(), state.lab.height());
-    for (int y = 0; y < mask.height(); ++y)
-        for (int x = 0; x < mask.width(); ++x) mask(x, y) = object[state.superpixels.index(x / factor, y / factor)];
+/// The superpixels of an object, in working pixels.
+BinaryMask maskOf(const Superpixels& superpixels, const std::vector<std::uint8_t>& object) {
+    BinaryMask mask(superpixels.index.width(), superpixels.index.height());
+    for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = object[superpixels.index[i]];
     return mask;
 }
 
@@ -137,12 +136,18 @@ void divideContested(const Selector::State& state, const SelectionSeeds& seeds, 
         }
 }
 
-/// How far the outline of a selection may be off [px].
-int outlineBand(const SelectionPicture& picture) {
-    const DepthQuality& quality = picture.quality;
-    if (quality.present && quality.edgeOffset > 0) return (quality.edgeOffset + kOutlineBand) * picture.factor;
-    const bool exact = quality.present && picture.factor == 1;
-    return exact ? 0 : kOutlineBand * picture.factor;
+/// How far the outline of superpixels may be off [working px].
+int outlineBand(const DepthQuality& quality) {
+    if (!quality.present) return kOutlineBand;
+    return quality.edgeOffset > 0 ? quality.edgeOffset + kOutlineBand : 0;
+}
+
+/// Seeds of both kinds, in units of `factor` pixels.
+std::vector<Pixel> allSeeds(const SelectionSeeds& seeds, int factor) {
+    std::vector<Pixel> all;
+    for (const auto* list : {&seeds.add, &seeds.remove})
+        for (const Pixel& p : *list) all.push_back({p.x / factor, p.y / factor});
+    return all;
 }
 
 }  // namespace
@@ -151,6 +156,8 @@ Selector::Selector(const SelectionInput& input, const Progress& progress) {
     auto state = std::make_shared<State>();
     state->picture = makeSelectionPicture(input, state->lab, progress.part(0, 0.3f));
     state->boundary = findBoundaries(state->picture, progress.part(0.3f, 0.6f));
+    state->workingLab = Image<PackedLab>(state->picture.lab.width(), state->picture.lab.height());
+    std::ranges::transform(state->picture.lab.pixels(), state->workingLab.pixels().begin(), packLab);
     const auto pixels = static_cast<float>(state->picture.lab.size());
     const auto cell = static_cast<int>(std::clamp(std::sqrt(pixels / kSuperpixels), kMinCell, kMaxCell));
     state->superpixels = findSuperpixels(state->picture, state->boundary, cell, progress.part(0.6f, 0.8f));
@@ -172,11 +179,12 @@ BinaryMask Selector::select(const SelectionSeeds& seeds, const Progress& progres
     const SeedLeaves leaves = leavesOf(*state_, seeds);
     std::vector<std::uint8_t> object = cutSuperpixels(*state_, guess(state_->tree, leaves), progress.part(0.1f, 0.4f));
     keepLinked(state_->superpixels, leaves.add, object);
-    BinaryMask mask = maskOf(*state_, object);
+    const SelectionPicture& picture = state_->picture;
+    const int factor = picture.factor;
+    BinaryMask mask = refineOutline(maskOf(state_->superpixels, object), state_->workingLab, 1,
+                                    outlineBand(picture.quality), allSeeds(seeds, factor), progress.part(0.4f, 0.7f));
+    if (factor > 1) mask = refineOutline(mask, state_->lab, factor, 1, allSeeds(seeds, 1), progress.part(0.7f, 1.0f));
     divideContested(*state_, seeds, leaves, mask);
-    std::vector<Pixel> fixed = seeds.add;
-    fixed.insert(fixed.end(), seeds.remove.begin(), seeds.remove.end());
-    refineOutline(mask, state_->lab, outlineBand(state_->picture), fixed, progress.part(0.5f, 1.0f));
     for (const Pixel& p : seeds.add) mask(p.x, p.y) = 1;
     for (const Pixel& p : seeds.remove) mask(p.x, p.y) = 0;
     return mask;

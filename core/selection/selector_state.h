@@ -10,7 +10,8 @@ namespace core {
 
 /// What a Selector knows about its photograph. For the sources of core/selection.
 struct Selector::State {
-    Image<PackedLab> lab;  ///< at the photograph's resolution
+    Image<PackedLab> lab;         ///< at the photograph's resolution
+    Image<PackedLab> workingLab;  ///< at the working resolution
     SelectionPicture picture;
     BoundaryStrength boundary;
     Superpixels superpixels;

@@ -61,7 +61,7 @@ Pixel basinOf(const BoundaryStrength& boundary, int x0, int y0, int cellSize) {
     return best;
 }
 
-/// Grows the basins over ever stronger boundaries (a watershed cut, Cousty et al., PAMI 2009).
+/// Grows the basins over ever stronger boundaries (a watershed cut, [CBNC09]).
 void flood(const BoundaryStrength& boundary, Image<std::uint32_t>& index, const Progress& progress) {
     struct Entry {
         std::uint32_t pixel, basin;

@@ -89,8 +89,19 @@ TEST(RefineOutline, MovesToTheEdgeOfTheColour) {
             truth(x, y) = 1;
             mask(x, y) = x < 55 ? 1 : 0;
         }
-    core::refineOutline(mask, lab, 8, {}, {});
-    EXPECT_EQ(mask, truth);
+    EXPECT_EQ(core::refineOutline(mask, lab, 1, 8, {}, {}), truth);
+}
+
+TEST(RefineOutline, EnlargesToTheEdgeOfTheColour) {
+    // A third of the size; the square covers no whole number of coarse pixels.
+    core::Image<core::PackedLab> lab(91, 89, core::packLab({0.7f, 0, 0}));
+    BinaryMask truth(91, 89), coarse(31, 30);
+    for (int y = 19; y < 61; ++y)
+        for (int x = 23; x < 60; ++x) {
+            lab(x, y) = core::packLab({0.5f, 0.15f, 0.1f});
+            truth(x, y) = coarse(x / 3, y / 3) = 1;
+        }
+    EXPECT_EQ(core::refineOutline(coarse, lab, 3, 1, {}, {}), truth);
 }
 
 TEST(RefineOutline, KeepsNarrowPartsAndFixedPixels) {
@@ -98,15 +109,12 @@ TEST(RefineOutline, KeepsNarrowPartsAndFixedPixels) {
     BinaryMask mask(60, 60);
     for (int y = 5; y < 55; ++y)
         for (int x = 28; x < 31; ++x) mask(x, y) = 1;  // 3 px wide
-    const BinaryMask before = mask;
-    core::refineOutline(mask, lab, 6, {}, {});
-    EXPECT_EQ(mask, before);
+    EXPECT_EQ(core::refineOutline(mask, lab, 1, 6, {}, {}), mask);
     BinaryMask disc(60, 60);
     for (int y = 0; y < 60; ++y)
         for (int x = 0; x < 60; ++x) disc(x, y) = (x - 30) * (x - 30) + (y - 30) * (y - 30) < 400 ? 1 : 0;
     disc(50, 30) = 1;
-    core::refineOutline(disc, lab, 4, {{50, 30}}, {});
-    EXPECT_EQ(disc(50, 30), 1);
+    EXPECT_EQ(core::refineOutline(disc, lab, 1, 4, {{50, 30}}, {})(50, 30), 1);
 }
 
 }  // namespace
