@@ -1131,6 +1131,18 @@
         <translation>Das Ergänzen der Richtungen</translation>
     </message>
     <message>
+        <source>The one object in &quot;%1&quot; is taken from the alpha channel: its pixels are those that are at least half opaque.</source>
+        <translation>Das einzige Objekt in „%1“ kommt aus dem Alphakanal: Es sind die Pixel, die mindestens halb deckend sind.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a mask with soft edges, not a label map: its pixels from half of the maximum up are one segment.</source>
+        <translation>„%1“ ist eine Maske mit weichen Rändern, keine Segmentkarte: Ihre Pixel ab der Hälfte des Höchstwerts sind ein Segment.</translation>
+    </message>
+    <message>
+        <source>%1 of the labels in &quot;%2&quot; lie only between others, as soft edges do. Each of them is a segment: save the label map without antialiasing.</source>
+        <translation>%1 der Nummern in „%2“ liegen nur zwischen anderen, wie bei weichen Rändern. Jede davon ist ein Segment: Speichern Sie die Segmentkarte ohne Kantenglättung.</translation>
+    </message>
+    <message>
         <source>The label of a segment is &quot;%1&quot;, expected 1 to %2.</source>
         <translation>Die Nummer eines Segments ist „%1“, erwartet wird 1 bis %2.</translation>
     </message>
@@ -2134,6 +2146,10 @@
         <source>No project open</source>
         <translation>Kein Projekt geöffnet</translation>
     </message>
+    <message>
+        <source>The recovered light is tied to the photograph: it already has the direction and the strength that were photographed. Load an environment map to turn or scale the light.</source>
+        <translation>Das gewonnene Licht ist an das Foto gebunden: Es hat schon die Richtung und die Stärke, die fotografiert wurden. Laden Sie eine Umgebungskarte, um das Licht zu drehen oder zu skalieren.</translation>
+    </message>
 </context>
 <context>
     <name>ui::MainWindow</name>
@@ -2601,6 +2617,38 @@
         <source>Loading %1</source>
         <translation>%1 wird geladen</translation>
     </message>
+    <message>
+        <source>&amp;Notices</source>
+        <translation>&amp;Hinweise</translation>
+    </message>
+    <message>
+        <source>List what was found in the files and assumed by the analysis</source>
+        <translation>Auflisten, was in den Dateien gefunden und von der Analyse angenommen wurde</translation>
+    </message>
+    <message>
+        <source>Files of &quot;%1&quot; were found in another folder. Save the project to keep their new places.</source>
+        <translation>Dateien von „%1“ wurden in einem anderen Ordner gefunden. Speichern Sie das Projekt, um die neuen Orte zu behalten.</translation>
+    </message>
+    <message>
+        <source>Choose where the first one is now. The others are looked for beside it.</source>
+        <translation>Wählen Sie, wo die erste jetzt ist. Die anderen werden daneben gesucht.</translation>
+    </message>
+    <message>
+        <source>Locate…</source>
+        <translation>Suchen…</translation>
+    </message>
+    <message>
+        <source>Locate %1</source>
+        <translation>%1 suchen</translation>
+    </message>
+    <message>
+        <source>%1 (%1);;All files (*)</source>
+        <translation>%1 (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Files of &quot;%1&quot; cannot be found:</source>
+        <translation>Dateien von „%1“ wurden nicht gefunden:</translation>
+    </message>
 </context>
 <context>
     <name>ui::MapView</name>
@@ -2894,6 +2942,22 @@
         <source>No project open</source>
         <translation>Kein Projekt geöffnet</translation>
     </message>
+    <message>
+        <source>Pick diffuse colour</source>
+        <translation>Diffuse Farbe aufnehmen</translation>
+    </message>
+    <message>
+        <source>Pick specular colour</source>
+        <translation>Spiegelfarbe aufnehmen</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take the colour of a surface, without its shading, by a click in the picture (Esc: cancel)</source>
+        <translation>Die Farbe einer Oberfläche ohne ihre Schattierung durch einen Klick ins Bild übernehmen (Esc: abbrechen)</translation>
+    </message>
 </context>
 <context>
     <name>ui::NewPhotoDialog</name>
@@ -2982,12 +3046,95 @@
         <translation>Meter pro gespeicherter Einheit. „Automatisch“ nimmt die Angabe des Fotos, sonst 1 für Gleitkomma-Dateien und 0,001 für 16-Bit-Dateien.</translation>
     </message>
     <message>
-        <source>Label map: one number per object, 0 for none</source>
-        <translation>Segmentkarte: eine Zahl pro Objekt, 0 für keines</translation>
-    </message>
-    <message>
         <source>Horizontal field of view. Automatic reads it from the photograph, otherwise assumes 60°.</source>
         <translation>Horizontaler Bildwinkel. „Automatisch“ liest ihn aus dem Foto und nimmt sonst 60° an.</translation>
+    </message>
+    <message>
+        <source>What the photograph&apos;s file contains</source>
+        <translation>Was die Datei des Fotos enthält</translation>
+    </message>
+    <message>
+        <source>Label map: one number per object, 0 for none; or a black-and-white mask of one object</source>
+        <translation>Segmentkarte: eine Zahl je Objekt, 0 für keines; oder eine schwarzweiße Maske eines Objekts</translation>
+    </message>
+    <message>
+        <source>Why the project cannot be made</source>
+        <translation>Warum das Projekt nicht angelegt werden kann</translation>
+    </message>
+    <message>
+        <source>Reading the photograph…</source>
+        <translation>Das Foto wird gelesen…</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>field of view %1°</source>
+        <translation>Bildwinkel %1°</translation>
+    </message>
+    <message>
+        <source>no field of view stated</source>
+        <translation>kein Bildwinkel angegeben</translation>
+    </message>
+    <message>
+        <source>no depth inside: choose a depth map</source>
+        <translation>keine Tiefe enthalten: Wählen Sie eine Tiefenkarte</translation>
+    </message>
+    <message>
+        <source>no depth inside</source>
+        <translation>keine Tiefe enthalten</translation>
+    </message>
+    <message>
+        <source>depth inside, %1 × %2 pixels: %3</source>
+        <translation>Tiefe enthalten, %1 × %2 Pixel: %3</translation>
+    </message>
+    <message>
+        <source>The photograph&apos;s file says what its depth is</source>
+        <translation>Die Datei des Fotos gibt an, was ihre Tiefe ist</translation>
+    </message>
+    <message>
+        <source>automatic: %1</source>
+        <translation>automatisch: %1</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>automatic: %1 m, assumed</source>
+        <translation>automatisch: %1 m, angenommen</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+</context>
+<context>
+    <name>ui::NoticeButton</name>
+    <message>
+        <source>Notices</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>What was found in the files and assumed by the analysis</source>
+        <translation>Was in den Dateien gefunden und von der Analyse angenommen wurde</translation>
+    </message>
+    <message>
+        <source>1 new notice</source>
+        <translation>1 neuer Hinweis</translation>
+    </message>
+    <message>
+        <source>%1 new notices</source>
+        <translation>%1 neue Hinweise</translation>
+    </message>
+    <message>
+        <source>1 notice</source>
+        <translation>1 Hinweis</translation>
+    </message>
+    <message>
+        <source>%1 notices</source>
+        <translation>%1 Hinweise</translation>
     </message>
 </context>
 <context>

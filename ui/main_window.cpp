@@ -32,13 +32,10 @@
 #include "ui/canvas/substance_ruler.h"
 #include "ui/panels/registry.h"
 #include "ui/vulkan_support.h"
+#include "ui/widgets/notice_button.h"
 #include "ui/words.h"
 
 namespace ui {
-
-namespace {
-constexpr int kAnalysisNotesMilliseconds = 15000;
-}
 
 MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWindow(parent), options_(options) {
     setObjectName(QStringLiteral("mainWindow"));
@@ -92,10 +89,14 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWin
     connect(canvas_, &Canvas::progressChanged, this, &MainWindow::updateProgress);
     connect(canvas_, &Canvas::cursorMoved, this, &MainWindow::showCursor);
     connect(canvas_, &Canvas::segmentClicked, &workspace_, &Workspace::select);
+    connect(canvas_, &Canvas::pixelPicked, &workspace_, &Workspace::finishPicking);
+    connect(&workspace_, &Workspace::pickingChanged, this, [this] { canvas_->setPicking(workspace_.picking()); });
     connect(canvas_, &Canvas::failed, this, &MainWindow::canvasFailed);
     connect(canvas_, &Canvas::zoomChanged, this,
             [this](double zoom) { zoomLabel_->setText(tr("%1 %").arg(zoom * 100, 0, 'f', zoom < 0.1 ? 1 : 0)); });
     readSettings();
+    // Otherwise the first number in a panel would have the focus, and with it the wheel.
+    canvas_->setFocus();
     updateTitle();
     updateActions();
     updateProgress();
@@ -140,6 +141,8 @@ void MainWindow::makeStatusBar() {
     progressBar_->setTextVisible(false);
     progressBar_->setRange(0, 1000);
     statusBar()->addWidget(valueLabel_, 1);
+    notices_ = new NoticeButton(this);
+    statusBar()->addPermanentWidget(notices_);
     statusBar()->addPermanentWidget(progressLabel_);
     statusBar()->addPermanentWidget(progressBar_);
     statusBar()->addPermanentWidget(zoomLabel_);
@@ -178,6 +181,7 @@ void MainWindow::documentReplaced() {
     layerTask_.reset();
     worker_.cancel();
     canvas_->setPhoto(workspace_.scene().photo);
+    notices_->setNotices(QStringLiteral("analysis"), {});
     updateTitle();
 }
 
@@ -206,10 +210,7 @@ void MainWindow::analysisFinished(const std::shared_ptr<const AnalysisResult>& r
     if (!current) return;
     core::Notes notes = core::analysisNotes(workspace_.scene(), *result->analysis);
     notes.insert(notes.end(), result->notes.begin(), result->notes.end());
-    const QString sentences = translated(notes);
-    if (sentences == analysisNotes_) return;
-    analysisNotes_ = sentences;
-    if (!sentences.isEmpty()) statusBar()->showMessage(sentences, kAnalysisNotesMilliseconds);
+    notices_->setNotices(QStringLiteral("analysis"), translatedEach(notes));
 }
 
 void MainWindow::setLayer(ViewLayer layer) {
@@ -361,6 +362,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_C && event->modifiers() == Qt::NoModifier) {
         if (!event->isAutoRepeat()) canvas_->setComparing(true);
+        return;
+    }
+    if (event->key() == Qt::Key_Escape && workspace_.picking()) {
+        workspace_.pickPixel(nullptr);
         return;
     }
     QMainWindow::keyPressEvent(event);

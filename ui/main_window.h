@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include "core/io/moved_files.h"
 #include "core/io/project.h"
 #include "core/scene/changes.h"
 #include "ui/analysis_worker.h"
@@ -23,6 +24,8 @@ class QVulkanInstance;
 namespace ui {
 
 class MaskPainter;
+class NewPhotoDialog;
+class NoticeButton;
 class SubstanceRuler;
 
 struct WindowOptions {
@@ -48,7 +51,8 @@ class MainWindow : public QMainWindow {
     /// Opens a project in the background; a picture opens the dialog for a new one. Asks first when changes would be
     /// lost.
     void openFile(const QString& path);
-    void createFrom(const core::CreateOptions& options);
+    /// `dialog`, if any, is closed when the project is loaded and says why it is not otherwise.
+    void createFrom(const core::CreateOptions& options, ui::NewPhotoDialog* dialog = nullptr);
     void saveTo(const QString& path, std::function<void()> then = {});
     /// Renders the scene to its sample count with a device of its own and saves it: the bytes patina-cli writes for the
     /// same project, samples and seed.
@@ -94,14 +98,30 @@ class MainWindow : public QMainWindow {
     void saveAs(std::function<void()> then = {});
     void chooseExport(const QString& title, const QString& name, const QString& filter,
                       void (MainWindow::*write)(const QString&));
-    /// Runs long work with a progress dialog; one piece at a time.
-    void runTask(const QString& title, BackgroundTask::Work work, std::function<void()> succeeded);
+    /// Runs long work with a progress dialog; one piece at a time. `failed` is called instead of showing the error;
+    /// `parent` is the window that waits.
+    void runTask(const QString& title, BackgroundTask::Work work, std::function<void()> succeeded,
+                 std::function<void(const QString&)> failed = {}, QWidget* parent = nullptr);
     void endTask();
     /// Calls `proceed` at once, or after the user has decided what becomes of unsaved changes.
     void confirmDiscard(std::function<void()> proceed);
     using LoadScene = std::function<core::Scene(core::Notes*, const core::Progress&)>;
-    void openScene(const QString& title, LoadScene load, const QString& path);
+    /// How a scene is opened and what follows.
+    struct Opening {
+        QString title;
+        LoadScene load;
+        QString path = {};  ///< of the project; "" = a new one
+        std::function<void()> opened = {};
+        std::function<void(const QString&)> failed = {};
+        QWidget* parent = nullptr;
+    };
+    void openScene(Opening opening);
+    void openProject(const QString& path, const core::MovedFiles& moved);
+    /// Asks for one of the files that a project misses, finds the others beside it and opens the project.
+    void locateFiles(const QString& path, const core::MovedFiles& moved, const std::vector<std::string>& missing);
     void addRecent(const QString& path);
+    /// Remembers with what a photograph was opened, so that it can be opened again.
+    void addRecentPhoto(const core::CreateOptions& options);
     void refreshRecent();
     void readSettings();
     void writeSettings();
@@ -120,7 +140,6 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<BackgroundTask> layerTask_;
     QProgressDialog* progressDialog_ = nullptr;
     bool analysing_ = false;
-    QString analysisNotes_;  ///< last shown
     QString analysisStep_;
     bool closing_ = false;
     ViewLayer layer_ = ViewLayer::Result;
@@ -142,6 +161,7 @@ class MainWindow : public QMainWindow {
     QLabel* zoomLabel_ = nullptr;
     QLabel* valueLabel_ = nullptr;
     QLabel* progressLabel_ = nullptr;
+    NoticeButton* notices_ = nullptr;
     QProgressBar* progressBar_ = nullptr;
 };
 

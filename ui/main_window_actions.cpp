@@ -16,6 +16,7 @@
 
 #include "ui/canvas/substance_ruler.h"
 #include "ui/main_window.h"
+#include "ui/widgets/notice_button.h"
 
 namespace ui {
 
@@ -138,6 +139,9 @@ void MainWindow::makeViewMenu() {
         canvas_->setRefining(!on);
         updateProgress();
     });
+    menu->addSeparator();
+    addAction(menu, "actionNotices", tr("&Notices"), QKeySequence(Qt::Key_F8),
+              tr("List what was found in the files and assumed by the analysis"), [this] { notices_->showList(); });
     panels_ = menu->addMenu(tr("&Panels"));
 }
 

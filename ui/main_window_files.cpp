@@ -5,10 +5,12 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPointer>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSettings>
 #include <QStatusBar>
+#include <algorithm>
 #include <utility>
 
 #include "core/analysis/pipeline.h"
@@ -20,6 +22,7 @@
 #include "render/renderer.h"
 #include "ui/main_window.h"
 #include "ui/new_photo_dialog.h"
+#include "ui/widgets/notice_button.h"
 #include "ui/words.h"
 
 namespace ui {
@@ -27,17 +30,45 @@ namespace ui {
 namespace {
 constexpr int kRecentCount = 10;
 const char* const kRecentKey = "recentFiles";
-constexpr int kNotesMilliseconds = 15000;
+const char* const kRecentPhotosKey = "recentPhotos";
 /// Share of the time to open a file that reading takes; converting the picture for the canvas takes the rest.
 constexpr float kLoadedEnd = 0.95f;
+
+QVariantMap settingsOf(const core::CreateOptions& options) {
+    QVariantMap map;
+    map[QStringLiteral("color")] = QString::fromStdString(options.color);
+    map[QStringLiteral("depth")] = QString::fromStdString(options.depth);
+    map[QStringLiteral("segments")] = QString::fromStdString(options.segments);
+    map[QStringLiteral("kind")] = static_cast<int>(options.depthKind);
+    if (options.depthUnit) map[QStringLiteral("unit")] = *options.depthUnit;
+    if (options.hfov) map[QStringLiteral("hfov")] = *options.hfov;
+    return map;
+}
+
+core::CreateOptions optionsOf(const QVariantMap& map) {
+    const auto text = [&](const char* key) { return map.value(QString::fromUtf8(key)).toString().toStdString(); };
+    core::CreateOptions options;
+    options.color = text("color");
+    options.depth = text("depth");
+    options.segments = text("segments");
+    const int kind = map.value(QStringLiteral("kind")).toInt();
+    if (kind >= 0 && kind <= static_cast<int>(core::DepthKind::Inverse))
+        options.depthKind = static_cast<core::DepthKind>(kind);
+    if (map.contains(QStringLiteral("unit"))) options.depthUnit = map.value(QStringLiteral("unit")).toDouble();
+    if (map.contains(QStringLiteral("hfov"))) options.hfov = map.value(QStringLiteral("hfov")).toFloat();
+    return options;
+}
+
 }  // namespace
 
-void MainWindow::runTask(const QString& title, BackgroundTask::Work work, std::function<void()> succeeded) {
+void MainWindow::runTask(const QString& title, BackgroundTask::Work work, std::function<void()> succeeded,
+                         std::function<void(const QString&)> failed, QWidget* parent) {
     if (task_ != nullptr) {
         statusBar()->showMessage(tr("Please wait until the current task has finished."), 4000);
         return;
     }
-    progressDialog_ = new QProgressDialog(title, tr("Cancel"), 0, 1000, this);
+    // Busy until the first step is done, because reading a picture does not say how far it is.
+    progressDialog_ = new QProgressDialog(title, tr("Cancel"), 0, 0, parent != nullptr ? parent : this);
     progressDialog_->setObjectName(QStringLiteral("progressDialog"));
     progressDialog_->setWindowTitle(tr("Patina"));
     progressDialog_->setWindowModality(Qt::WindowModal);
@@ -50,7 +81,10 @@ void MainWindow::runTask(const QString& title, BackgroundTask::Work work, std::f
     connect(task_.get(), &BackgroundTask::progress, this, [this, title](const QString& step, double fraction) {
         if (progressDialog_ == nullptr || progressDialog_->wasCanceled()) return;
         progressDialog_->setLabelText(step.isEmpty() ? title : QStringLiteral("%1\n%2").arg(title, step));
-        progressDialog_->setValue(static_cast<int>(fraction * 1000));
+        constexpr int kWhole = 1000;
+        const int done = static_cast<int>(fraction * kWhole);
+        progressDialog_->setMaximum(done > 0 ? kWhole : 0);
+        progressDialog_->setValue(done);
     });
     connect(task_.get(), &BackgroundTask::succeeded, this, [this, succeeded = std::move(succeeded)] {
         // A copy, because endTask() destroys this lambda.
@@ -58,10 +92,14 @@ void MainWindow::runTask(const QString& title, BackgroundTask::Work work, std::f
         endTask();
         then();
     });
-    connect(task_.get(), &BackgroundTask::failed, this, [this](const QString& sentence) {
+    connect(task_.get(), &BackgroundTask::failed, this, [this, failed = std::move(failed)](const QString& sentence) {
         const QString text = sentence;
+        const auto then = failed;
         endTask();
-        showError(text);
+        if (then)
+            then(text);
+        else
+            showError(text);
     });
     connect(task_.get(), &BackgroundTask::cancelled, this, [this] {
         endTask();
@@ -103,27 +141,98 @@ void MainWindow::openFile(const QString& path) {
         chooseNew(path);
         return;
     }
-    confirmDiscard([this, path] {
+    openProject(path, {});
+}
+
+void MainWindow::openProject(const QString& path, const core::MovedFiles& moved) {
+    confirmDiscard([this, path, moved] {
+        openScene({.title = tr("Opening %1").arg(QFileInfo(path).fileName()),
+                   .load =
+                       [path, moved](core::Notes* notes, const core::Progress& progress) {
+                           return core::loadProject(path.toStdString(), notes, progress, moved);
+                       },
+                   .path = path,
+                   .opened =
+                       [this, path, moved] {
+                           if (moved.empty()) return;
+                           notices_->setNotices(QStringLiteral("moved"),
+                                                {tr("Files of \"%1\" were found in another folder. Save the project to "
+                                                    "keep their new places.")
+                                                     .arg(QFileInfo(path).fileName())});
+                       },
+                   .failed =
+                       [this, path, moved](const QString& sentence) {
+                           std::vector<std::string> missing;
+                           try {
+                               missing = core::missingFiles(path.toStdString(), moved);
+                           } catch (const core::Error&) {
+                               // The sentence says it.
+                           }
+                           if (missing.empty())
+                               showError(sentence);
+                           else
+                               locateFiles(path, moved, missing);
+                       }});
+    });
+}
+
+void MainWindow::locateFiles(const QString& path, const core::MovedFiles& moved,
+                             const std::vector<std::string>& missing) {
+    constexpr std::size_t kListed = 8;
+    QStringList names;
+    for (std::size_t i = 0; i < std::min(missing.size(), kListed); ++i) names << QString::fromStdString(missing[i]);
+    if (missing.size() > kListed) names << QStringLiteral("…");
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Patina"),
+                                tr("Files of \"%1\" cannot be found:").arg(QFileInfo(path).fileName()) +
+                                    QStringLiteral("\n\n") + names.join(QLatin1Char('\n')),
+                                QMessageBox::Cancel, this);
+    box->setObjectName(QStringLiteral("locateDialog"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(tr("Choose where the first one is now. The others are looked for beside it."));
+    QPushButton* locate = box->addButton(tr("Locate…"), QMessageBox::AcceptRole);
+    box->setDefaultButton(locate);
+    connect(locate, &QPushButton::clicked, this, [this, path, moved, missing] {
+        const QString first = QFileInfo(QString::fromStdString(missing.front())).fileName();
+        auto* chooser = new QFileDialog(this, tr("Locate %1").arg(first), QFileInfo(path).absolutePath(),
+                                        tr("%1 (%1);;All files (*)").arg(first));
+        chooser->setObjectName(QStringLiteral("locateFile"));
+        chooser->setAttribute(Qt::WA_DeleteOnClose);
+        chooser->setFileMode(QFileDialog::ExistingFile);
+        connect(chooser, &QFileDialog::fileSelected, this, [this, path, moved, missing](const QString& place) {
+            core::MovedFiles all = moved;
+            all.merge(core::filesBeside(missing, missing.front(), place.toStdString()));
+            openProject(path, all);
+        });
+        chooser->open();
+    });
+    box->open();
+}
+
+void MainWindow::createFrom(const core::CreateOptions& options, NewPhotoDialog* dialog) {
+    const QPointer<NewPhotoDialog> asking(dialog);
+    confirmDiscard([this, options, asking] {
         openScene(
-            tr("Opening %1").arg(QFileInfo(path).fileName()),
-            [path](core::Notes* notes, const core::Progress& progress) {
-                return core::loadProject(path.toStdString(), notes, progress);
-            },
-            path);
+            {.title = tr("Loading %1").arg(QFileInfo(QString::fromStdString(options.color)).fileName()),
+             .load = [options](core::Notes* notes,
+                               const core::Progress& progress) { return core::createScene(options, notes, progress); },
+             .opened =
+                 [this, options, asking] {
+                     addRecentPhoto(options);
+                     if (asking) asking->accept();
+                 },
+             .failed =
+                 [this, asking](const QString& sentence) {
+                     if (asking)
+                         asking->showProblem(sentence);
+                     else
+                         showError(sentence);
+                 },
+             .parent = asking});
     });
 }
 
-void MainWindow::createFrom(const core::CreateOptions& options) {
-    confirmDiscard([this, options] {
-        openScene(tr("Loading %1").arg(QFileInfo(QString::fromStdString(options.color)).fileName()),
-                  [options](core::Notes* notes, const core::Progress& progress) {
-                      return core::createScene(options, notes, progress);
-                  },
-                  {});
-    });
-}
-
-void MainWindow::openScene(const QString& title, LoadScene load, const QString& path) {
+void MainWindow::openScene(Opening opening) {
     struct Loaded {
         core::Scene scene;
         core::Notes notes;
@@ -131,28 +240,31 @@ void MainWindow::openScene(const QString& title, LoadScene load, const QString& 
     };
     auto loaded = std::make_shared<Loaded>();
     runTask(
-        title,
-        [loaded, load = std::move(load)](const core::Progress& whole) {
+        opening.title,
+        [loaded, load = std::move(opening.load)](const core::Progress& whole) {
             const core::Progress progress = whole.of(core::Task::LoadPhoto);
             loaded->scene = load(&loaded->notes, progress.part(0, kLoadedEnd));
             progress.checkpoint(kLoadedEnd);
             loaded->original = makeCanvasPicture({loaded->scene.photo->color, false});
             progress.checkpoint(1);
         },
-        [this, loaded, path] {
+        [this, loaded, path = opening.path, opened = std::move(opening.opened)] {
             workspace_.setDocument(core::Document(std::move(loaded->scene), path.toStdString()));
             canvas_->setOriginal(loaded->original);
             refreshLayerPicture();
             if (!path.isEmpty()) addRecent(path);
-            if (!loaded->notes.empty()) statusBar()->showMessage(translated(loaded->notes), kNotesMilliseconds);
-        });
+            notices_->setNotices(QStringLiteral("file"), translatedEach(loaded->notes));
+            notices_->setNotices(QStringLiteral("moved"), {});
+            if (opened) opened();
+        },
+        std::move(opening.failed), opening.parent);
 }
 
 void MainWindow::chooseNew(const QString& colorFile) {
     auto* dialog = new NewPhotoDialog(this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (!colorFile.isEmpty()) dialog->setColorFile(colorFile);
-    connect(dialog, &QDialog::accepted, this, [this, dialog] { createFrom(dialog->options()); });
+    connect(dialog, &NewPhotoDialog::chosen, this, [this, dialog] { createFrom(dialog->options(), dialog); });
     dialog->open();
 }
 
@@ -261,13 +373,36 @@ void MainWindow::addRecent(const QString& path) {
     refreshRecent();
 }
 
+void MainWindow::addRecentPhoto(const core::CreateOptions& options) {
+    const auto absolute = [](std::string& path) {
+        if (!path.empty()) path = QFileInfo(QString::fromStdString(path)).absoluteFilePath().toStdString();
+    };
+    core::CreateOptions known = options;
+    for (std::string* path : {&known.color, &known.depth, &known.segments}) absolute(*path);
+    const QString color = QString::fromStdString(known.color);
+    addRecent(color);
+    QSettings settings;
+    QVariantMap photos = settings.value(kRecentPhotosKey).toMap();
+    photos[color] = settingsOf(known);
+    const QStringList files = settings.value(kRecentKey).toStringList();
+    for (const QString& path : photos.keys())
+        if (!files.contains(path)) photos.remove(path);
+    settings.setValue(kRecentPhotosKey, photos);
+}
+
 void MainWindow::refreshRecent() {
     recent_->clear();
     for (const QString& path : QSettings().value(kRecentKey).toStringList()) {
         QAction* action = recent_->addAction(QFileInfo(path).fileName());
         action->setToolTip(path);
         action->setStatusTip(path);
-        connect(action, &QAction::triggered, this, [this, path] { openFile(path); });
+        connect(action, &QAction::triggered, this, [this, path] {
+            const QVariantMap photos = QSettings().value(kRecentPhotosKey).toMap();
+            if (photos.contains(path))
+                createFrom(optionsOf(photos.value(path).toMap()));
+            else
+                openFile(path);
+        });
     }
     recent_->setEnabled(!recent_->isEmpty());
 }

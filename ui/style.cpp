@@ -5,6 +5,8 @@
 #include <QPalette>
 #include <QStyleFactory>
 
+#include "ui/widgets/wheel_guard.h"
+
 namespace ui {
 
 void applyStyle(QApplication& application) {
@@ -37,6 +39,7 @@ void applyStyle(QApplication& application) {
     QApplication::setPalette(palette);
     application.setStyleSheet(
         QStringLiteral("QToolTip { color: #dcdcdc; background: #1e1e1e; border: 1px solid #555; }"));
+    application.installEventFilter(new WheelGuard(&application));
 }
 
 }  // namespace ui

@@ -2,7 +2,6 @@
 #include "ui/words.h"
 
 #include <QCoreApplication>
-#include <QStringList>
 #include <new>
 
 namespace ui {
@@ -76,10 +75,10 @@ QString translated(const std::exception& error) {
     return QString::fromUtf8(error.what());
 }
 
-QString translated(std::span<const core::Message> notes) {
+QStringList translatedEach(std::span<const core::Message> notes) {
     QStringList sentences;
     for (const core::Message& note : notes) sentences << translated(note);
-    return sentences.join(QLatin1Char(' '));
+    return sentences;
 }
 
 }  // namespace ui

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <exception>
 #include <span>
 
@@ -17,7 +18,7 @@ namespace ui {
 [[nodiscard]] QString translated(const core::Message& message);
 /// The error's message, in the window's language if it is a core::Error. From any thread.
 [[nodiscard]] QString translated(const std::exception& error);
-/// All messages, separated by spaces. From any thread.
-[[nodiscard]] QString translated(std::span<const core::Message> notes);
+/// Each message. From any thread.
+[[nodiscard]] QStringList translatedEach(std::span<const core::Message> notes);
 
 }  // namespace ui

@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workspace.h"
-#include "core/scene/changes.h"
 
 #include <utility>
 
+#include "core/material/brdf_file.h"
+#include "core/scene/changes.h"
+
 namespace ui {
+
+namespace {
+
+std::string brdfName(const core::Material& material) {
+    return material.brdfFile != nullptr ? material.brdf + ':' + material.brdfFile->path : material.brdf;
+}
+
+}  // namespace
 
 Workspace::Workspace(QObject* parent) : QObject(parent) {
     document_.setChangeListener([this](core::Stage stage) { changed(stage); });
@@ -14,6 +24,8 @@ void Workspace::setDocument(core::Document document) {
     document_ = std::move(document);
     document_.setChangeListener([this](core::Stage stage) { changed(stage); });
     analysis_.reset();
+    materials_.clear();
+    pickPixel(nullptr);
     selected_ = 0;
     setPaintedParameter({});
     ++generation_;
@@ -56,6 +68,7 @@ void Workspace::select(std::uint16_t label) {
     const std::uint16_t next = scene().findSegment(label) != nullptr ? label : std::uint16_t{0};
     if (next == selected_) return;
     document_.endMerge();
+    pickPixel(nullptr);
     selected_ = next;
     setPaintedParameter({});
     emit selectionChanged(selected_);
@@ -78,6 +91,27 @@ void Workspace::editSelected(const QString& label, const std::function<void(core
 void Workspace::editScene(const QString& label, const std::function<void(core::Scene&)>& change,
                           const QString& mergeKey) {
     document_.edit(label.toStdString(), change, mergeKey.toStdString());
+}
+
+void Workspace::pickPixel(std::function<void(int x, int y)> use) {
+    const bool before = picking();
+    picked_ = std::move(use);
+    if (before || picking()) emit pickingChanged();
+}
+
+void Workspace::finishPicking(int x, int y) {
+    const auto use = picked_;
+    pickPixel(nullptr);
+    if (use) use(x, y);
+}
+
+void Workspace::keepMaterial(std::uint16_t label, const core::Material& material) {
+    materials_[{label, brdfName(material)}] = material;
+}
+
+const core::Material* Workspace::keptMaterial(std::uint16_t label, const core::Material& brdf) const {
+    const auto kept = materials_.find({label, brdfName(brdf)});
+    return kept != materials_.end() ? &kept->second : nullptr;
 }
 
 }  // namespace ui

@@ -3,8 +3,11 @@
 
 #include <QObject>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "core/analysis/analysis.h"
 #include "core/scene/brush.h"
@@ -48,6 +51,12 @@ class Workspace : public QObject {
     void editScene(const QString& label, const std::function<void(core::Scene&)>& change, const QString& mergeKey = {});
     void endMerge() { document_.endMerge(); }
 
+    /// The materials that the segments of this document had before they got others, one for each segment and BRDF. Not
+    /// part of the document.
+    void keepMaterial(std::uint16_t label, const core::Material& material);
+    /// nullptr = the segment has never had one with this BRDF.
+    [[nodiscard]] const core::Material* keptMaterial(std::uint16_t label, const core::Material& brdf) const;
+
     /// The parameter whose mask the pointer paints, in the selected segment's edit; "" = the pointer selects and moves.
     [[nodiscard]] const std::string& paintedParameter() const { return painted_; }
     /// "" or a parameter with a drive by mask; ignores any other.
@@ -57,7 +66,14 @@ class Workspace : public QObject {
     [[nodiscard]] const core::Brush& brush() const { return brush_; }
     void setBrush(const core::Brush& brush);
 
+    /// The next click on the picture calls `use` with its pixel instead of selecting what is there. nullptr = clicks
+    /// select again, as they do after the click and when another segment is selected.
+    void pickPixel(std::function<void(int x, int y)> use);
+    [[nodiscard]] bool picking() const { return picked_ != nullptr; }
+    void finishPicking(int x, int y);
+
   signals:
+    void pickingChanged();
     /// The painted parameter or the brush.
     void paintingChanged();
     void sceneChanged(core::Stage firstStage);
@@ -74,6 +90,8 @@ class Workspace : public QObject {
     std::uint16_t selected_ = 0;
     std::string painted_;
     core::Brush brush_;
+    std::function<void(int, int)> picked_;
+    std::map<std::pair<std::uint16_t, std::string>, core::Material> materials_;  ///< by segment and BRDF
     std::shared_ptr<const core::Analysis> analysis_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "core/io/color_decode.h"
 #include "core/io/image_reader.h"
+#include "core/io/mask_labels.h"
 #include "core/io/orientation.h"
 
 namespace core {
@@ -172,6 +173,7 @@ ImageInfo readInfo(ImageReader& reader) {
     if (const float focal = spec.get_float_attribute("Exif:FocalLengthIn35mmFilm", 0.0f);
         std::isfinite(focal) && focal > 0)
         info.focal35mm = focal;
+    info.device = deviceName(spec.get_string_attribute("Make"), spec.get_string_attribute("Model"));
     info.format.floating = spec.format.is_floating_point();
     info.format.bits = static_cast<int>(spec.format.basesize() * 8);
     info.hasDepthChannel = reader.seekPart([](const OIIO::ImageSpec& part) { return findChannel(part, "Z") >= 0; });
@@ -214,6 +216,11 @@ ImageF loadCoverage(const std::string& path) {
     return applyOrientation(reader.readChannel(findChannel(reader.spec(), "A")), reader.orientation());
 }
 
+std::string deviceName(const std::string& maker, const std::string& model) {
+    if (maker.empty() || model.starts_with(maker)) return model;
+    return model.empty() ? maker : maker + " " + model;
+}
+
 ImageInfo readImageInfo(const std::string& path) {
     ImageReader reader(path);
     return readInfo(reader);
@@ -226,18 +233,25 @@ ImageInfo readImageInfo(EmbeddedImage image) {
 
 StoredFormat storedFormat(const std::string& path) { return readImageInfo(path).format; }
 
-LabelImage loadLabels(const std::string& path) {
+LabelImage loadLabels(const std::string& path, Notes* remarks) {
     ImageReader reader(path, ImageReader::Palette::Indices);
     if (reader.format() == "jpeg")
         reader.fail(Message(
             "messages", "it is a JPEG picture, whose compression changes label numbers; expected PNG, TIFF or EXR"));
-    const ImageF values = reader.readChannel(0);
+    ImageF values = reader.readChannel(0);
     if (reader.spec().nchannels >= 3) {
         for (int channel = 1; channel < 3; ++channel)
             if (reader.readChannel(channel) != values)
                 reader.fail(
                     Message("messages", "it is a colour picture, expected one number per pixel (grey or palette)"));
     }
+    const auto remark = [&](const std::optional<Message>& sentence) {
+        if (sentence && remarks != nullptr) remarks->push_back(*sentence);
+    };
+    const float maximum = reader.integerScale();
+    const int alpha = reader.spec().alpha_channel;
+    if (alpha > 0) remark(takeObjectFromAlpha(values, reader.readChannel(alpha), maximum, path));
+    remark(hardenMask(values, maximum, path));
     LabelImage labels(values.width(), values.height());
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const float value = values[i];

@@ -34,20 +34,27 @@ struct StoredFormat {
     bool floating = false;
 };
 [[nodiscard]] StoredFormat storedFormat(const std::string& path);
+/// Diagonal of a 36 mm x 24 mm frame [mm], to which equivalent focal lengths refer.
+inline constexpr double kFilmDiagonal = 43.266615;
+/// Maker and model without saying the maker twice: "Apple", "iPhone 12" is "Apple iPhone 12".
+[[nodiscard]] std::string deviceName(const std::string& maker, const std::string& model);
 /// Properties of a file, without reading its pixels.
 struct ImageInfo {
     int width = 0;                   ///< as displayed (orientation applied)
     int height = 0;                  ///< as displayed
     int orientation = 1;             ///< EXIF, 1..8
     std::optional<float> focal35mm;  ///< 35 mm equivalent focal length [mm], when > 0
+    std::string device;              ///< maker and model of the camera; "" = not stated
     bool hasDepthChannel = false;    ///< a channel called Z
     StoredFormat format;
 };
 [[nodiscard]] ImageInfo readImageInfo(const std::string& path);
 /// Whether the file's content is one of the formats above. Throws when there is no such file.
 [[nodiscard]] bool isImageFile(const std::string& path);
-/// Label map: 8 or 16-bit integers (floats when they are whole numbers), palette pictures by index. JPEG is refused.
-[[nodiscard]] LabelImage loadLabels(const std::string& path);
+/// Label map: 8 or 16-bit integers (floats when they are whole numbers), palette pictures by index. JPEG is refused. A
+/// black-and-white mask with soft edges, or one in the alpha channel, is one object (core/io/mask_labels.h); `remarks`
+/// says so.
+[[nodiscard]] LabelImage loadLabels(const std::string& path, Notes* remarks = nullptr);
 
 /// An image file inside another file.
 struct EmbeddedImage {

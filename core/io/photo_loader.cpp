@@ -26,8 +26,7 @@ constexpr float kImportEnd = 0.5f;
 constexpr float kEnlargeEnd = 0.9f;
 
 constexpr double kDefaultFovDegrees = 60;
-constexpr double kFilmDiagonal = 43.266615;  ///< diagonal [mm] of a 36 mm x 24 mm frame
-constexpr double kShapeTolerance = 0.02;     ///< relative difference of width / height
+constexpr double kShapeTolerance = 0.02;  ///< relative difference of width / height
 
 void note(Notes* notes, Message sentence) {
     if (notes != nullptr) notes->push_back(std::move(sentence));
@@ -334,10 +333,10 @@ std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, Notes* notes
         photo->labels = LabelImage(camera.width, camera.height, 0);
     } else {
         const ImageInfo labelInfo = readImageInfo(source.segments);
-        photo->labels =
-            enlarge(matchOrientation(loadLabels(source.segments), source.segments, Message("messages", "Label map"),
-                                     camera, labelInfo.orientation, info.orientation, source.color),
-                    camera);
+        photo->labels = enlarge(
+            matchOrientation(loadLabels(source.segments, notes), source.segments, Message("messages", "Label map"),
+                             camera, labelInfo.orientation, info.orientation, source.color),
+            camera);
     }
     progress.checkpoint(1);
     return photo;

@@ -25,7 +25,6 @@ namespace {
 constexpr int kVersion = 1;
 /// Share of the time to load a project that its photograph takes; masks, BRDFs and maps take the rest.
 constexpr float kPhotoEnd = 0.9f;
-constexpr std::size_t kMaxProjectBytes = std::size_t{64} << 20U;
 
 Message knownLabels(const Scene& scene) {
     std::string text;
@@ -137,8 +136,9 @@ void readVersion(JsonReader& reader) {
                         .with(version, kVersion));
 }
 
-Scene readProject(const std::string& path, Notes* notes, const Progress& progress) {
-    const json document = parseJson(readFile(path, kMaxProjectBytes), ErrorKind::Input);
+Scene readProject(const std::string& path, Notes* notes, const Progress& progress, const MovedFiles& moved) {
+    json document = parseJson(readFile(path, kMaxProjectBytes), ErrorKind::Input);
+    if (!moved.empty()) replaceMovedFiles(document, fs::path(path).parent_path().string(), moved);
     JsonReader reader(document, "", ErrorKind::Input);
     readVersion(reader);
     const PathReader paths(path);
@@ -239,9 +239,9 @@ Scene createScene(const CreateOptions& options, Notes* notes, const Progress& pr
     return scene;
 }
 
-Scene loadProject(const std::string& path, Notes* notes, const Progress& progress) {
+Scene loadProject(const std::string& path, Notes* notes, const Progress& progress, const MovedFiles& moved) {
     try {
-        return readProject(path, notes, progress);
+        return readProject(path, notes, progress, moved);
     } catch (const Error& error) {
         const ErrorKind kind = error.kind() == ErrorKind::Usage ? ErrorKind::Input : error.kind();
         throw error.as(kind).withContext(Message("messages", "While loading \"%1\".").with(path));

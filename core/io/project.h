@@ -8,6 +8,7 @@
 
 #include "core/base/message.h"
 #include "core/base/progress.h"
+#include "core/io/moved_files.h"
 #include "core/scene/scene.h"
 
 namespace core {
@@ -36,8 +37,11 @@ struct CreateOptions {
 
 /// Reads a `.patina` project (JSON; format in docs/project-format.md). Image paths are relative to the project file.
 /// Unknown keys, wrong types and out-of-range values are errors that name the key. An edit whose BRDF's file cannot be
-/// used is kept but shows the photograph (core::usable); a note says so.
-[[nodiscard]] Scene loadProject(const std::string& path, Notes* notes = nullptr, const Progress& progress = {});
+/// used is kept but shows the photograph (core::usable); a note says so. `moved` are files that are elsewhere by now.
+[[nodiscard]] Scene loadProject(const std::string& path, Notes* notes = nullptr, const Progress& progress = {},
+                                const MovedFiles& moved = {});
+/// Larger files are refused.
+inline constexpr std::size_t kMaxProjectBytes = std::size_t{64} << 20U;
 
 /// Writes atomically: a temporary file beside the target, flushed, then renamed; the old file survives any failure.
 /// Painted masks are written first (core/io/mask_io.h).

@@ -333,6 +333,26 @@ TEST_F(CanvasWindowTest, WhatIsDrawnInPartsIsWhatIsDrawnAtOnce) {
     }
 }
 
+TEST_F(CanvasWindowTest, AResizedWindowShowsAllOfItsPicture) {
+    open();
+    setSamples(1);
+    settle();
+    ui::Canvas& canvas = window_.canvas();
+    const auto screen = [&] {
+        QTest::qWait(200);
+        const QPoint corner = canvas.mapToGlobal(QPoint(0, 0));
+        return window_.screen()->grabWindow(0, corner.x(), corner.y(), canvas.width(), canvas.height()).toImage();
+    };
+    for (int round = 0; round < 6; ++round) {
+        window_.resize(878, 480);
+        QTest::qWait(150);
+        window_.resize(1580, 980);
+        const QImage resized = screen();
+        canvas.setExposure(0);  // as it is, but all is drawn again
+        EXPECT_EQ(screen(), resized) << "round " << round;
+    }
+}
+
 // Only the order of things can be tested: no driver can be asked to lose its device.
 TEST_F(CanvasWindowTest, StartsAgainAfterTheDeviceWasLost) {
     open();

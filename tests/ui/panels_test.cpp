@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <QtTest/qtestspontaneevent.h>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QTreeWidget>
+#include <QWheelEvent>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -139,6 +143,152 @@ TEST_F(Panels, MaterialControlsComeFromTheTableOfEachBrdf) {
     }
     chooseBrdf(panel, "");
     EXPECT_FALSE(segment(2).edit.has_value());
+}
+
+TEST_F(Panels, TheOldMaterialComesBackWithItsPaintedMask) {
+    ui::MaterialPanel panel(workspace_);
+    open();
+    workspace_.select(2);
+    chooseBrdf(panel, "phong");
+    const auto mask = std::make_shared<core::Mask>(32, 24);
+    workspace_.editSelected("paint", [&](core::Segment& s) {
+        s.edit->values[0] = 77;
+        core::Drive& drive = s.edit->drives.emplace_back();
+        drive.parameter = "exponent";
+        drive.mask = mask;
+    });
+    const core::Material painted = *segment(2).edit;
+    chooseBrdf(panel, "lambert");
+    ASSERT_EQ(segment(2).edit->brdf, "lambert");
+    EXPECT_TRUE(segment(2).edit->drives.empty());
+    workspace_.editSelected("colour", [&](core::Segment& s) { s.edit->albedo = {1, 0, 0}; });
+    chooseBrdf(panel, "ggx");
+    chooseBrdf(panel, "phong");
+    EXPECT_EQ(segment(2).edit->drives, painted.drives);
+    EXPECT_EQ(segment(2).edit->values, painted.values);
+    EXPECT_EQ(segment(2).edit->albedo, core::Vector3f(1, 0, 0)) << "common to all: the latest";
+
+    chooseBrdf(panel, "");
+    EXPECT_FALSE(segment(2).edit.has_value());
+    chooseBrdf(panel, "phong");
+    ASSERT_TRUE(segment(2).edit.has_value());
+    EXPECT_EQ(segment(2).edit->drives, painted.drives) << "also after the segment was as photographed";
+    const std::uint64_t before = workspace_.document().revision();
+    chooseBrdf(panel, "phong");
+    EXPECT_EQ(workspace_.document().revision(), before) << "the same again is no step";
+
+    for (const char* brdf : {"", "phong", "ggx", "lambert"}) {
+        workspace_.document().undo();
+        EXPECT_EQ(segment(2).edit ? segment(2).edit->brdf : "", brdf);
+        if (std::string(brdf) == "lambert") break;
+    }
+    workspace_.document().undo();  // the colour
+    workspace_.document().undo();
+    EXPECT_EQ(*segment(2).edit, painted);
+
+    workspace_.select(1);
+    chooseBrdf(panel, "phong");
+    EXPECT_TRUE(segment(1).edit->drives.empty()) << "another segment has its own";
+    open();
+    workspace_.select(2);
+    chooseBrdf(panel, "phong");
+    EXPECT_TRUE(segment(2).edit->drives.empty()) << "another document";
+}
+
+TEST_F(Panels, ANewMaterialStartsWithTheObjectsOwnColour) {
+    ui::MaterialPanel panel(workspace_);
+    open();
+    workspace_.setAnalysis(test::makeAnalysis(workspace_.scene()));  // lit by 0.5 from everywhere
+    workspace_.select(1);
+    chooseBrdf(panel, "lambert");
+    EXPECT_LT((segment(1).edit->albedo - core::Vector3f(0.4f, 0.6f, 0.8f)).norm(), 0.02f)
+        << segment(1).edit->albedo.transpose();
+    workspace_.select(2);
+    chooseBrdf(panel, "lambert");
+    EXPECT_NEAR(segment(2).edit->albedo.x(), 0.9f, 1e-4f) << "brighter than white";
+    EXPECT_NEAR(segment(2).edit->albedo.y() / segment(2).edit->albedo.x(), 0.5f / 0.8f, 1e-3f);
+}
+
+TEST_F(Panels, AColourIsPickedFromThePicture) {
+    ui::MaterialPanel panel(workspace_);
+    open();
+    workspace_.setAnalysis(test::makeAnalysis(workspace_.scene()));
+    workspace_.select(2);
+    chooseBrdf(panel, "ggx");
+    auto* pick = test::child<QToolButton>(panel, "materialAlbedoPick");
+    pick->click();
+    EXPECT_TRUE(workspace_.picking());
+    EXPECT_TRUE(pick->isChecked());
+    workspace_.finishPicking(2, 2);  // on the wall
+    EXPECT_FALSE(workspace_.picking());
+    EXPECT_FALSE(pick->isChecked());
+    EXPECT_LT((segment(2).edit->albedo - core::Vector3f(0.4f, 0.6f, 0.8f)).norm(), 0.02f);
+    EXPECT_EQ(workspace_.document().undoLabel(), "Pick diffuse colour");
+    auto* specular = test::child<QToolButton>(panel, "materialSpecularPick");
+    specular->click();
+    pick->click();
+    EXPECT_TRUE(pick->isChecked());
+    EXPECT_FALSE(specular->isChecked()) << "one at a time";
+    workspace_.select(1);
+    EXPECT_FALSE(workspace_.picking()) << "another segment";
+}
+
+TEST_F(Panels, TheWheelScrollsAndChangesNothing) {
+    open();
+    workspace_.editScene("edit", [](core::Scene& scene) {
+        scene.segments[1].glossy = true;
+        scene.segments[1].edit = core::defaultMaterial(*core::findBrdf("ggx"));
+        scene.segments[1].edit->translucency.emplace();
+        scene.environment.image = std::make_shared<core::ImageRgb>(16, 8, core::Vector3f(1, 1, 1));
+    });
+    workspace_.select(2);
+    const std::uint64_t revision = workspace_.document().revision();
+    int controls = 0;
+    for (const ui::PanelEntry& entry : ui::panelRegistry()) {
+        QScrollArea area;
+        area.setWidget(entry.make(workspace_, nullptr));
+        area.setWidgetResizable(true);
+        area.resize(300, 120);
+        area.show();
+        QCoreApplication::processEvents();
+        if (QWidget* first = area.focusWidget()) first->clearFocus();  // by which a window begins
+        // Only a wheel of the user's is passed on to what is around a widget.
+        const auto turn = [](QWidget& widget, int angle) {
+            const QPointF middle(widget.rect().center());
+            QWheelEvent wheel(middle, widget.mapToGlobal(middle), {}, {0, angle}, Qt::NoButton, Qt::NoModifier,
+                              Qt::NoScrollPhase, false);
+            QSpontaneKeyEvent::setSpontaneous(&wheel);
+            qApp->notify(&widget, &wheel);
+        };
+        for (QWidget* widget : area.widget()->findChildren<QWidget*>()) {
+            const auto* box = qobject_cast<QComboBox*>(widget);
+            const auto* spin = qobject_cast<QDoubleSpinBox*>(widget);
+            const auto* slider = qobject_cast<QSlider*>(widget);
+            if ((box == nullptr && spin == nullptr && slider == nullptr) || !widget->isEnabled()) continue;
+            area.ensureWidgetVisible(widget);
+            const auto value = [&]() -> double {
+                return box != nullptr ? box->currentIndex() : spin != nullptr ? spin->value() : slider->value();
+            };
+            ++controls;
+            EXPECT_NE(widget->focusPolicy(), Qt::WheelFocus) << widget->objectName().toStdString();
+            const double before = value();
+            for (const int angle : {120, -120, -120}) turn(*widget, angle);
+            EXPECT_EQ(value(), before) << widget->objectName().toStdString();
+            EXPECT_FALSE(widget->hasFocus()) << widget->objectName().toStdString();
+        }
+        QScrollBar& bar = *area.verticalScrollBar();
+        for (QWidget* widget : area.widget()->findChildren<QDoubleSpinBox*>()) {
+            if (!widget->isVisible() || bar.maximum() == 0) continue;
+            area.ensureWidgetVisible(widget);
+            bar.setValue(std::min(bar.value(), bar.maximum() - 1));
+            const int before = bar.value();
+            turn(*widget, -120);
+            EXPECT_GT(bar.value(), before) << "the panel is scrolled instead";
+            break;
+        }
+    }
+    EXPECT_GT(controls, 30);
+    EXPECT_EQ(workspace_.document().revision(), revision);
 }
 
 TEST_F(Panels, AMaterialComesFromAFileAndFollowsIt) {
@@ -377,6 +527,20 @@ TEST_F(Panels, EnvironmentShowsMapsAndReflectance) {
     test::child<QCheckBox>(panel, "reflectanceAutomatic")->click();
     ASSERT_TRUE(segment(2).reflectance.has_value());
     EXPECT_EQ(*segment(2).reflectance, core::Vector3f(0.25f, 0.5f, 0.75f));
+    for (const char* name : {"environmentRotation", "environmentScale"}) {
+        EXPECT_FALSE(test::child<ui::ParamSlider>(panel, name)->isEnabled()) << "would change nothing";
+        EXPECT_TRUE(test::child<QSlider>(panel, (std::string(name) + "Slider").c_str())
+                        ->toolTip()
+                        .contains(QStringLiteral("Load an environment map")));
+    }
+    workspace_.editScene("map", [](core::Scene& scene) {
+        scene.environment.path = "map.exr";
+        scene.environment.image = std::make_shared<core::ImageRgb>(16, 8, core::Vector3f(1, 1, 1));
+    });
+    EXPECT_TRUE(test::child<ui::ParamSlider>(panel, "environmentScale")->isEnabled());
+    EXPECT_FALSE(test::child<QSlider>(panel, "environmentScaleSlider")
+                     ->toolTip()
+                     .contains(QStringLiteral("Load an environment map")));
     test::child<QDoubleSpinBox>(panel, "environmentRotationSpin")->setValue(90);
     EXPECT_NEAR(workspace_.scene().environment.rotation, std::numbers::pi_v<float> / 2, 1e-5f);
 }

@@ -10,6 +10,7 @@
 #include "core/io/import/lzf.h"
 #include "core/io/import/xmp.h"
 #include "core/io/orientation.h"
+#include "core/io/photo_contents.h"
 #include "core/io/project.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/photo_containers.h"
@@ -188,6 +189,15 @@ TEST_F(ImportTest, AppleDisparityInTheSecondPicture) {
     EXPECT_EQ(*photo.camera, (core::Camera{32, 16, 25, 25.5f, 10, 7.5f}));
     ASSERT_EQ(photo.remarks.size(), 1U);
     EXPECT_THAT(photo.remarks[0].english(), testing::HasSubstr("relative"));
+
+    const core::PhotoContents contents = core::inspectPhoto(folder / "m.jpg");
+    EXPECT_EQ(contents.kind, DepthKind::Disparity);
+    EXPECT_EQ(contents.width, 32);
+    EXPECT_EQ(contents.depthWidth, 16);
+    EXPECT_EQ(contents.depthHeight, 8);
+    EXPECT_EQ(contents.unit, photo.unit);
+    EXPECT_NEAR(contents.hfov.value(), 2 * std::atan(16 / 25.0f), 1e-5f);
+    EXPECT_THAT(contents.depthPlace.english(), testing::HasSubstr("MPF"));
 
     test::writeBytes(folder / "turned.jpg", test::mpfFile(front, test::exifSegment(6), second));
     const core::ImportedPhoto turned = import(folder / "turned.jpg", "MPF");
@@ -457,6 +467,22 @@ TEST_F(ImportTest, ASeparateDepthImageReplacesTheOneInside) {
     const core::Scene scene = core::createScene(options);
     EXPECT_EQ(scene.photo->depth(2, 2), 0.75f);
     EXPECT_NEAR(scene.photo->color(2, 2).x(), linear(50), 0.01) << "the picture that other programs show";
+}
+
+TEST_F(ImportTest, APictureWithoutDepthHasContentsToo) {
+    OIIO::ImageSpec spec(40, 30, 3, OIIO::TypeUInt8);
+    spec["Make"] = "Maker";
+    spec["Model"] = "Maker Model 5";
+    spec["Exif:FocalLengthIn35mmFilm"] = 28;
+    const std::vector<std::uint8_t> pixels(40UL * 30 * 3, 90);
+    test::writeWith("jpeg", folder / "plain.jpg", spec, OIIO::TypeUInt8, pixels.data());
+    const core::PhotoContents contents = core::inspectPhoto(folder / "plain.jpg");
+    EXPECT_EQ(contents.device, "Maker Model 5");
+    EXPECT_EQ(contents.width, 40);
+    EXPECT_TRUE(contents.depthPlace.empty());
+    // 28 mm on a diagonal of 43.27 mm; the width is 4/5 of the diagonal.
+    EXPECT_NEAR(contents.hfov.value(), 2 * std::atan(0.5 * 0.8 * 43.2666 / 28), 1e-4);
+    test::expectError(ErrorKind::Input, {"none.jpg"}, [&] { (void)core::inspectPhoto(folder / "none.jpg"); });
 }
 
 TEST_F(ImportTest, AFileWithoutDepthSaysWhereItWasLookedFor) {

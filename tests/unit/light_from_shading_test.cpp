@@ -88,6 +88,38 @@ TEST(LightFromShading, ALampFillsTheSphereWithTheRadianceItClaims) {
     EXPECT_NEAR(along / sum, 1 / std::tanh(1.5) - 1 / 1.5, 1e-4);
 }
 
+TEST(LightFromShading, SurroundingsAreLimitedAndDiffuseSurfacesReceiveTheSame) {
+    const core::analysis::ShadingLight broad{{0, 0, 1}, 1.5f, 0.8f};
+    core::analysis::ShadingLight limited = broad;
+    limited.limit = 0.9f;
+    // Irradiance over π of a surface whose normal is at an angle to the axis.
+    const auto received = [](const core::analysis::ShadingLight& light, float angle) {
+        const Vector3f n(std::sin(angle), 0, std::cos(angle));
+        double sum = 0;
+        constexpr int kSteps = 400;
+        for (int i = 0; i < kSteps; ++i)
+            for (int j = 0; j < kSteps; ++j) {
+                const double z = -1 + (2 * i + 1.0) / kSteps;
+                const double turn = 2 * 3.14159265358979 * (j + 0.5) / kSteps;
+                const double r = std::sqrt(1 - z * z);
+                const Vector3f d(static_cast<float>(r * std::cos(turn)), static_cast<float>(r * std::sin(turn)),
+                                 static_cast<float>(z));
+                sum += static_cast<double>(light.radiance(d) * std::max(d.dot(n), 0.0f)) * 4 / (kSteps * kSteps);
+            }
+        return sum;
+    };
+    for (const float angle : {0.0f, 0.8f, 1.6f, 2.4f})
+        EXPECT_NEAR(received(limited, angle), received(broad, angle), 0.1 * received(broad, 0)) << angle;
+    int bright = 0;
+    constexpr int kCosines = 1000;
+    for (int i = 0; i < kCosines; ++i) {
+        const float z = -1 + (2 * static_cast<float>(i) + 1) / kCosines;
+        if (limited.radiance({std::sqrt(1 - z * z), 0, z}) > 1.0f) ++bright;
+    }
+    EXPECT_LT(bright, 0.1 * kCosines) << "a highlight";
+    EXPECT_GT(broad.radiance({0.8f, 0, 0.6f}), 1.0f) << "which was a third of all directions";
+}
+
 TEST(LightFromShading, NothingCurvedIsLitFromAbove) {
     ShadedBall flat([](const Vector3f&) { return 1.0f; });
     for (Vector3f& n : flat.front.normal.pixels()) n = {0, 0, -1};
@@ -112,17 +144,28 @@ TEST(LightFromShading, WithoutSegmentsItIsFromAbove) {
 }
 
 TEST(LightFromShading, BrightnessFollowsTheMeter) {
-    // Lit by radiance 2: reflects 18 % of it on the average, a tenth of it more.
+    // Lit by radiance 2: reflects 18 % of it on the average; a tenth of the pixels are highlights.
     ShadedBall ball([](const Vector3f&) { return 1.0f; });
     int i = 0;
     for (Vector3f& c : ball.photo.color.pixels())
-        if (!c.isZero()) c = Vector3f::Constant(i++ % 10 == 0 ? 1.8f : 0.2f);
+        if (!c.isZero()) c = Vector3f::Constant(i++ % 10 == 0 ? 2.4f : 0.1333f);
     EXPECT_NEAR(received(ball), 2, 0.01f);
 
-    // Dimmer than all that is white: 80 % of what arrives.
+    // Dimmer than all that is white, and surroundings no brighter than that.
     for (Vector3f& c : ball.photo.color.pixels())
         if (!c.isZero()) c = Vector3f::Constant(1.6f);
-    EXPECT_NEAR(received(ball), 2, 0.01f);
+    EXPECT_NEAR(received(ball), 1.6f, 0.01f);
+}
+
+TEST(LightFromShading, WhiteFacingTheLightIsNoBrighterThanInThePhotograph) {
+    const Vector3f axis = Vector3f(0.5f, -0.6f, -0.6f).normalized();
+    ShadedBall white([&](const Vector3f& n) { return 1 + 0.8f * axis.dot(n); });
+    for (int y = 0; y < white.photo.color.height(); ++y)
+        for (int x = 0; x < white.photo.color.width(); ++x)
+            if (const Vector3f& n = white.front.normal(x, y); !n.isZero())
+                white.photo.color(x, y) = Vector3f::Constant(0.8f * 1.2f * (1 + 0.8f * axis.dot(n)));
+    // Everything reflects 80 % of a light of mean 1.2.
+    EXPECT_NEAR(white.light().mean, 1.2f, 0.12f);
 }
 
 TEST(LightFromShading, NoLightAndNoDepth) {
@@ -146,6 +189,7 @@ core::DirectionalMap environmentOf(const ShadedBall& ball, bool contradicts, std
     auto reflectance = std::make_shared<core::Reflectance>();
     reflectance->label = 1;
     reflectance->reliable = !contradicts;
+    reflectance->commonSolidAngle = 0.5f;
     auto seen = std::make_shared<core::analysis::SegmentReflections>();
     seen->estimate = *reflectance;
     seen->missed = {core::ImageRgb(32, 16, Vector3f(1, 0, 0)), core::ImageF(32, 16, 1.0f)};

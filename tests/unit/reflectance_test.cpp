@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/analysis/light/environment.h"
+#include "core/analysis/light/reflectance.h"
+#include "core/analysis/notes.h"
 #include "core/analysis/pipeline.h"
 #include "tests/support/ray_scene.h"
 
@@ -217,6 +220,59 @@ TEST_F(MirrorSphere, UsersReflectanceReplacesTheEstimate) {
                 0.1f * analysis->environment->lookup(up).x());
 }
 
+/// A chrome ball alone, the classical light probe: nothing but what lies behind it is known otherwise.
+TEST(LightProbe, ABallAloneIsNoContradiction) {
+    const std::vector<std::function<Vector3f(const Vector3d&)>> lights = {
+        [](const Vector3d& d) {
+            return Vector3f(static_cast<float>(0.8 + 0.5 * d.x()), static_cast<float>(0.7 - 0.4 * d.y()),
+                            static_cast<float>(0.9 + 0.3 * d.z()));
+        },
+        [](const Vector3d& d) {  // a lamp behind the camera
+            return Vector3f(Vector3f::Constant(static_cast<float>(0.3 + 4 * std::exp(8 * (-d.z() - 1)))));
+        },
+        [](const Vector3d& d) { return d.y() < 0 ? Vector3f(0.5f, 0.7f, 1.2f) : Vector3f(0.2f, 0.15f, 0.1f); },
+        [](const Vector3d& d) {  // stripes
+            return Vector3f(Vector3f::Constant(static_cast<float>(0.6 + 0.4 * std::sin(5 * d.x() + 3 * d.y()))));
+        },
+    };
+    for (const bool dark : {false, true}) {
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            SCOPED_TRACE(testing::Message() << "light " << i << (dark ? ", cut out" : ""));
+            test::RayScene truth;
+            truth.camera = test::testCamera(160, 120);
+            truth.environment = lights[i];
+            truth.objects.push_back({1, std::make_shared<test::Sphere>(Vector3d(0.01, -0.02, 0.6), 0.16),
+                                     [](const Vector3d&) { return Vector3f(1, 1, 1); }, true});
+            core::Scene scene = truth.scene();
+            if (dark) {
+                core::Photo photo = *scene.photo;
+                for (std::size_t k = 0; k < photo.color.size(); ++k)
+                    if (photo.labels[k] == 0) photo.color[k] = Vector3f::Zero();
+                scene.photo = std::make_shared<core::Photo>(std::move(photo));
+            }
+            scene.environment.height = 32;
+            core::AnalysisPipeline pipeline;
+            const auto analysis = pipeline.run(scene);
+            ASSERT_EQ(analysis->reflectances.size(), 1U);
+            EXPECT_FALSE(core::analysis::showsMoreThanItMirrors(*analysis->reflectances[0]));
+            for (const core::Message& note : core::analysisNotes(scene, *analysis))
+                EXPECT_EQ(note.english().find("more light than it can mirror"), std::string::npos) << note.english();
+            std::vector<float> errors;
+            const DirectionalMap& map = *analysis->environment;
+            for (int y = 0; y < map.radiance.height(); ++y)
+                for (int x = 0; x < map.radiance.width(); ++x) {
+                    const Vector3f d = texelDirection(x, y, map);
+                    if (map.coverage(x, y) <= 0 || d.z() > 0.5f) continue;
+                    const Vector3f expected = truth.environment(d.cast<double>());
+                    errors.push_back((map.radiance(x, y) - expected).norm() / expected.norm());
+                }
+            ASSERT_GT(errors.size(), 500U);
+            std::ranges::sort(errors);
+            EXPECT_LT(errors[errors.size() / 2], 0.06f);
+        }
+    }
+}
+
 TEST(ReflectanceBadInput, SegmentsOfFewPixelsAndFlatColourGiveNumbers) {
     const test::RayScene truth = test::stillLife(test::testCamera(80, 60));
     core::Photo photo = truth.photograph();
@@ -278,7 +334,8 @@ TEST(Environment, DistantPixelsAreSeenAtTheirDirections) {
         if (y > 4 || photo.depth(x, y) > 0) return;
         ++distant;
         const Vector3f seen = analysis->environment->lookup(ray.normalized().cast<float>());
-        EXPECT_LT((seen - truth.environment(ray.normalized())).norm(), 0.05f);
+        // At the edge of the seen directions the guessed light is mixed in.
+        EXPECT_LT((seen - truth.environment(ray.normalized())).norm(), 0.07f);
     });
     EXPECT_GT(distant, 300);
 }

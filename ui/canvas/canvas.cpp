@@ -89,6 +89,7 @@ Canvas::Canvas(QVulkanInstance* instance, const QString& problem, const QString&
     connect(window_, &CanvasWindow::framePresented, this, &Canvas::framePresented);
     connect(window_, &CanvasWindow::cursorMoved, this, &Canvas::cursorMoved);
     connect(window_, &CanvasWindow::segmentClicked, this, &Canvas::segmentClicked);
+    connect(window_, &CanvasWindow::pixelPicked, this, &Canvas::pixelPicked);
     connect(window_, &CanvasWindow::zoomChanged, this, &Canvas::zoomChanged);
     connect(window_, &CanvasWindow::strokeBegan, this, &Canvas::strokeBegan);
     connect(window_, &CanvasWindow::strokeMoved, this, &Canvas::strokeMoved);
@@ -222,6 +223,11 @@ void Canvas::setMask(std::shared_ptr<const core::Mask> mask) {
 void Canvas::setBrushRadius(float radius) {
     if (window_ == nullptr) return;
     window_->setBrushRadius(radius);
+}
+
+void Canvas::setPicking(bool picking) {
+    if (window_ == nullptr) return;
+    window_->setPicking(picking);
 }
 
 void Canvas::setRuler(double millimetres) {

@@ -52,6 +52,8 @@ class Canvas : public QWidget {
     void setMask(std::shared_ptr<const core::Mask> mask);
     /// Radius [picture pixels] of the brush that the left button paints with; 0 = it selects and moves the picture.
     void setBrushRadius(float radius);
+    /// True: a click gives `pixelPicked` instead of selecting.
+    void setPicking(bool picking);
     /// A ruler in a corner, for `millimetres` a picture pixel; 0 = none.
     void setRuler(double millimetres);
     void setExposure(float stops);
@@ -78,6 +80,7 @@ class Canvas : public QWidget {
     void framePresented();
     void cursorMoved(const ui::CursorValue& value);
     void segmentClicked(quint16 label);
+    void pixelPicked(int x, int y);
     void zoomChanged(double zoom);
     /// A stroke of the brush, in continuous picture coordinates; `inverted`: Shift was held.
     void strokeBegan(const QPointF& position, bool inverted);

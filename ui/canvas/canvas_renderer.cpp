@@ -161,7 +161,7 @@ void CanvasRenderer::submitStep() {
     if (painted_) {
         std::optional<QRect> part;
         if (!paintWanted_) part = QRect(QPoint(changed.x0, changed.y0), QPoint(changed.x1, changed.y1));
-        painter_->record(encoder, state_, window_.swapChainImageSize(), window_.devicePixelRatio(),
+        painter_->record(encoder, state_, frameSize(), window_.devicePixelRatio(),
                          hasResult_ ? renderer_->result() : gpu::Texture(), part);
         if (hasResult_ && !progress_.waiting) paintedScene_ = renderedScene_;
         paintWanted_ = false;
@@ -190,12 +190,18 @@ void CanvasRenderer::poll() {
 void CanvasRenderer::startNextFrame() {
     presenting_ = false;
     drawn_ = false;
+    frameWindow_ = window_.size();
     attempt([this] { recordFrame(); });
     if (!drawn_) clear();
     window_.frameReady();
     shownScene_ = paintedScene_;
     emit framePresented();
     if (workLeft_ || sceneStale_ || paintWanted_ || probeWanted_) step();
+}
+
+QSize CanvasRenderer::frameSize() const {
+    if (window_.size() == frameWindow_) return window_.swapChainImageSize();
+    return window_.size() * window_.devicePixelRatio();
 }
 
 void CanvasRenderer::clear() {
@@ -257,6 +263,8 @@ void CanvasRenderer::recordFrame() {
         pass.draw(3);
         pass.end();
         drawn_ = true;
+        // The window was resized after the picture had been drawn for this frame.
+        if (QSize(static_cast<int>(screen.width()), static_cast<int>(screen.height())) != size) paintWanted_ = true;
     }
     encoder.finish();
 }

@@ -63,6 +63,8 @@ class CanvasRenderer : public QObject, public QVulkanWindowRenderer {
     [[nodiscard]] double takeScene();
     void submitStep();
     void poll();
+    /// Size of the next frame [device pixels]. While the window is being resized, its swapchain still has the old size.
+    [[nodiscard]] QSize frameSize() const;
     void makePresentPipeline();
     [[nodiscard]] bool targetEncodes() const;
     void recordFrame();
@@ -101,6 +103,7 @@ class CanvasRenderer : public QObject, public QVulkanWindowRenderer {
     bool hasResult_ = false;
     bool failed_ = false;
     bool drawn_ = false;
+    QSize frameWindow_;  ///< the window's size at the last frame
     gpu::Buffer probe_;
     bool probeWanted_ = false;
     bool probePending_ = false;

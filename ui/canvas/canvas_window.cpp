@@ -50,8 +50,13 @@ void CanvasWindow::setBrushRadius(float radius) {
     redraw();
 }
 
+void CanvasWindow::setPicking(bool picking) {
+    picking_ = picking;
+    if (!dragging_) updateCursorShape();
+}
+
 void CanvasWindow::updateCursorShape() {
-    if (state_.brushRadius > 0)
+    if (state_.brushRadius > 0 || picking_)
         setCursor(Qt::CrossCursor);
     else
         unsetCursor();
@@ -85,7 +90,7 @@ void CanvasWindow::mousePressEvent(QMouseEvent* event) {
     pressPosition_ = event->position();
     lastPosition_ = event->position();
     dragging_ = false;
-    if (event->button() == Qt::LeftButton && state_.brushRadius > 0 && state_.photo != nullptr) {
+    if (event->button() == Qt::LeftButton && !picking_ && state_.brushRadius > 0 && state_.photo != nullptr) {
         painting_ = true;
         moveCursor(event->position());
         emit strokeBegan(state_.brushCenter, event->modifiers().testFlag(Qt::ShiftModifier));
@@ -137,6 +142,10 @@ void CanvasWindow::mouseReleaseEvent(QMouseEvent* event) {
     }
     if (event->button() != Qt::LeftButton || state_.photo == nullptr) return;
     moveCursor(event->position());
+    if (picking_) {
+        if (state_.cursorInside) emit pixelPicked(state_.cursor.x(), state_.cursor.y());
+        return;
+    }
     const core::LabelImage& labels = state_.photo->labels;
     const bool known = labels.contains(state_.cursor.x(), state_.cursor.y());
     emit segmentClicked(known ? labels(state_.cursor.x(), state_.cursor.y()) : quint16{0});

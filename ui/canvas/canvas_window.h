@@ -26,6 +26,7 @@ class CanvasWindow : public QVulkanWindow {
     /// View and picture sizes changed.
     void updateSizes();
     void setBrushRadius(float radius);
+    void setPicking(bool picking);
 
   signals:
     void deviceReady(const QString& name);
@@ -36,6 +37,7 @@ class CanvasWindow : public QVulkanWindow {
     void deviceLost();
     void cursorMoved(const ui::CursorValue& value);
     void segmentClicked(quint16 label);
+    void pixelPicked(int x, int y);
     void zoomChanged(double zoom);
     void strokeBegan(const QPointF& position, bool inverted);
     void strokeMoved(const QPointF& position);
@@ -65,6 +67,7 @@ class CanvasWindow : public QVulkanWindow {
     QPointF lastPosition_;
     bool dragging_ = false;
     bool painting_ = false;  ///< a stroke is being drawn
+    bool picking_ = false;   ///< a click gives its pixel
 };
 
 }  // namespace ui

@@ -163,6 +163,13 @@ void EnvironmentPanel::refresh() {
     refreshControls();
     control("environment.use")->setEnabled(loaded);
     control("environment.fill")->setEnabled(workspace().hasPhoto() && !loaded);
+    const QString recovered =
+        tr("The recovered light is tied to the photograph: it already has the direction and the strength that were "
+           "photographed. Load an environment map to turn or scale the light.");
+    for (const char* key : {"environment.rotation", "environment.scale"}) {
+        control(key)->setUnavailable(workspace().hasPhoto() && !loaded ? recovered : QString());
+        control(key)->setEnabled(loaded);
+    }
     refreshReflectance();
 }
 

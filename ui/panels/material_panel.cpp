@@ -14,10 +14,12 @@
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QTimer>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
+#include "core/analysis/light/surface_color.h"
 #include "core/material/brdf_file.h"
 #include "core/material/drive_parameters.h"
 #include "core/material/material_ranges.h"
@@ -69,6 +71,20 @@ void setLook(core::Translucency& t, const core::Vector3f& color, const core::Vec
     t.sigmaA = wanted.sigmaA;
     t.sigmaSPrime = wanted.sigmaSPrime;
     t.preset.clear();
+}
+
+/// Takes over what does not belong to one BRDF. Drives of `material` whose parameters `other` does not vary stay.
+void takeCommonParts(core::Material& material, const core::Material& other) {
+    material.albedo = other.albedo;
+    material.specular = other.specular;
+    material.blendNew = other.blendNew;
+    material.blendOriginal = other.blendOriginal;
+    material.translucency = other.translucency;
+    std::vector<core::Drive> drives = core::knownDrives(other.drives, material);
+    for (const core::Drive& drive : core::knownDrives(material.drives, material))
+        if (std::ranges::find(drives, drive.parameter, &core::Drive::parameter) == drives.end())
+            drives.push_back(drive);
+    material.drives = std::move(drives);
 }
 
 }  // namespace
@@ -183,8 +199,12 @@ void MaterialPanel::makeColors(QVBoxLayout* layout) {
     specularEstimated_ = new QCheckBox(tr("Estimated"), group);
     specularEstimated_->setObjectName(QStringLiteral("materialSpecularEstimated"));
     specularEstimated_->setToolTip(tr("Use the reflectance estimated from the photograph (glossy segments)"));
-    albedoRow_ = makeRow(tr("Diffuse"), {albedo_}, group);
-    specularRow_ = makeRow(tr("Specular"), {specular_, specularEstimated_}, group);
+    QToolButton* pickAlbedo = makePicker(QStringLiteral("materialAlbedoPick"), tr("Pick diffuse colour"),
+                                         [](core::Material& m, const core::Vector3f& color) { m.albedo = color; });
+    QToolButton* pickSpecular = makePicker(QStringLiteral("materialSpecularPick"), tr("Pick specular colour"),
+                                           [](core::Material& m, const core::Vector3f& color) { m.specular = color; });
+    albedoRow_ = makeRow(tr("Diffuse"), {albedo_, pickAlbedo}, group);
+    specularRow_ = makeRow(tr("Specular"), {specular_, pickSpecular, specularEstimated_}, group);
     layout->addWidget(albedoRow_);
     layout->addWidget(specularRow_);
     connect(albedo_, &ColorButton::colorChanged, this, [this](const core::Vector3f& color) {
@@ -204,6 +224,30 @@ void MaterialPanel::makeColors(QVBoxLayout* layout) {
     });
     for (ColorButton* button : {albedo_, specular_})
         connect(button, &ColorButton::editingFinished, &workspace(), &Workspace::endMerge);
+}
+
+QToolButton* MaterialPanel::makePicker(const QString& key, const QString& edit,
+                                       std::function<void(core::Material&, const core::Vector3f&)> set) {
+    auto* button = new QToolButton(body_);
+    button->setObjectName(key);
+    button->setText(tr("Pick"));
+    button->setAccessibleName(edit);
+    button->setToolTip(
+        tr("Take the colour of a surface, without its shading, by a click in the picture (Esc: cancel)"));
+    button->setCheckable(true);
+    connect(button, &QToolButton::clicked, this, [this, button, edit, set = std::move(set)](bool on) {
+        if (!on) {
+            workspace().pickPixel(nullptr);
+            return;
+        }
+        workspace().pickPixel([this, edit, set](int x, int y) {
+            const core::Vector3f color = core::albedoAt(*workspace().scene().photo, workspace().analysis().get(), x, y);
+            editMaterial(edit, [&](core::Material& m) { set(m, color); });
+        });
+        button->setChecked(true);
+    });
+    connect(&workspace(), &Workspace::pickingChanged, button, [button] { button->setChecked(false); });
+    return button;
 }
 
 void MaterialPanel::makeFresnel(QVBoxLayout* layout) {
@@ -428,6 +472,7 @@ void MaterialPanel::chooseBrdf(const std::string& key) {
             refresh();
             return;
         }
+        workspace().keepMaterial(segment->label, *segment->edit);
         workspace().editSelected(tr("Remove edit"), [](core::Segment& s) { s.edit.reset(); });
         return;
     }
@@ -436,18 +481,17 @@ void MaterialPanel::chooseBrdf(const std::string& key) {
 }
 
 void MaterialPanel::setBrdf(const QString& label, const core::Material& fresh) {
-    workspace().editSelected(label, [&](core::Segment& s) {
-        core::Material next = fresh;
-        if (s.edit) {
-            next.albedo = s.edit->albedo;
-            next.specular = s.edit->specular;
-            next.blendNew = s.edit->blendNew;
-            next.blendOriginal = s.edit->blendOriginal;
-            next.translucency = s.edit->translucency;
-            next.drives = core::knownDrives(s.edit->drives, next);
-        }
-        s.edit = next;
-    });
+    const core::Segment* segment = workspace().selectedSegment();
+    if (segment == nullptr) return;
+    if (segment->edit) workspace().keepMaterial(segment->label, *segment->edit);
+    const core::Material* kept = workspace().keptMaterial(segment->label, fresh);
+    core::Material next = kept != nullptr ? *kept : fresh;
+    if (kept == nullptr && !segment->edit)
+        next.albedo = core::segmentAlbedo(*workspace().scene().photo, workspace().analysis().get(), segment->label);
+    if (kept != nullptr && fresh.brdfFile != nullptr) next = core::withReloadedFile(next, fresh.brdfFile);
+    if (segment->edit) takeCommonParts(next, *segment->edit);
+    workspace().editSelected(label, [&](core::Segment& s) { s.edit = next; });
+    refresh();
 }
 
 void MaterialPanel::readFile(const std::string& path, const Loaded& then,

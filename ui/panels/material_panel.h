@@ -15,6 +15,7 @@ class QFileSystemWatcher;
 class QGroupBox;
 class QLabel;
 class QPushButton;
+class QToolButton;
 class QVBoxLayout;
 
 namespace core {
@@ -58,6 +59,9 @@ class MaterialPanel : public Panel {
     QWidget* makeBody();
     void makeSurfaceGroup();
     void makeColors(QVBoxLayout* layout);
+    /// Button that takes a colour of the material from the picture.
+    QToolButton* makePicker(const QString& key, const QString& edit,
+                            std::function<void(core::Material&, const core::Vector3f&)> set);
     void makeFresnel(QVBoxLayout* layout);
     void makeBlendGroup();
     void makeTranslucencyGroup();

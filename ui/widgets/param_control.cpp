@@ -57,6 +57,17 @@ void ParamControl::setValue(const core::ParamValue& value, const core::ParamValu
     if (!std::holds_alternative<std::monostate>(visible)) show_(visible);
 }
 
+void ParamControl::setUnavailable(const QString& reason) {
+    setEnabled(reason.isEmpty());
+    if (reason == unavailable_) return;
+    unavailable_ = reason;
+    for (QWidget* part : findChildren<QWidget*>()) {
+        const char* const kHelp = "help";
+        if (!part->property(kHelp).isValid()) part->setProperty(kHelp, part->toolTip());
+        part->setToolTip(reason.isEmpty() ? part->property(kHelp).toString() : reason);
+    }
+}
+
 void ParamControl::makeAutomatic() {
     automatic_ = new QCheckBox(tr("%1: automatic").arg(label()), this);
     automatic_->setObjectName(name() + QStringLiteral("Automatic"));

@@ -30,6 +30,9 @@ class ParamControl : public QWidget {
     /// stays.
     void setValue(const core::ParamValue& value, const core::ParamValue& estimate = {});
 
+    /// Disables it and says why in its tool tip; "" enables it.
+    void setUnavailable(const QString& reason);
+
   signals:
     /// The user changed the value. `continues`: more changes may follow until `editingFinished`, all of them one step.
     void edited(const core::ParamValue& value, bool continues);
@@ -46,6 +49,7 @@ class ParamControl : public QWidget {
     QHBoxLayout* makeLine(QWidget* control);
 
     const core::ParamRow& row_;
+    QString unavailable_;  ///< reason; "" = available
     QCheckBox* automatic_ = nullptr;
     QWidget* body_ = nullptr;
     std::function<void(const core::ParamValue&)> show_;

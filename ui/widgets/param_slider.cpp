@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
@@ -95,12 +94,6 @@ bool ParamSlider::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::MouseButtonDblClick && watched != spin_) {
         change(spec_.initial);
         emit editingFinished();
-        return true;
-    }
-    // Scrolling a panel must not change the values that pass under the pointer.
-    const auto* widget = qobject_cast<QWidget*>(watched);
-    if (event->type() == QEvent::Wheel && widget != nullptr && !widget->hasFocus()) {
-        event->ignore();
         return true;
     }
     return QWidget::eventFilter(watched, event);

@@ -33,6 +33,15 @@ const Vector3f kPriorGradient{0, -0.4f, 0};
 /// Minimum irradiance relative to the mean; keeps the logarithm finite.
 constexpr float kMinIrradiance = 0.1f;
 
+/// κ of the lamp: half of it lies within 13 degrees.
+constexpr double kLampConcentration = 27;
+
+/// κ/sinh κ·exp(κ c), whose mean over the sphere is 1.
+double lobe(double concentration, double cosine) {
+    if (concentration < 1e-3) return 1;
+    return 2 * concentration / (1 - std::exp(-2 * concentration)) * std::exp(concentration * (cosine - 1));
+}
+
 /// A pixel the gradient is fitted to.
 struct ShadedPixel {
     Vector3f normal;
@@ -127,12 +136,12 @@ float concentrationOf(float m) {
     return 0.5f * (low + high);
 }
 
-/// Statistics of all pixels with depth.
+/// All pixels with depth.
 struct Brightness {
+    std::vector<std::size_t> pixels;  ///< by index
     std::vector<float> luminances;
-    double sum = 0;                                     ///< of the luminances
-    Eigen::Vector3d normals = Eigen::Vector3d::Zero();  ///< sum of the normals
-    std::vector<std::size_t> shaded;                    ///< labelled pixels with light, by index
+    double sum = 0;                   ///< of the luminances
+    std::vector<std::size_t> shaded;  ///< labelled pixels with light, by index
 };
 
 Brightness measureBrightness(const Photo& photo, const Surface& front) {
@@ -140,12 +149,26 @@ Brightness measureBrightness(const Photo& photo, const Surface& front) {
     for (std::size_t i = 0; i < photo.color.size(); ++i) {
         const float y = luminance(photo.color[i]);
         if (!(front.depth[i] > 0) || !std::isfinite(y)) continue;
+        result.pixels.push_back(i);
         result.luminances.push_back(std::max(y, 0.0f));
         result.sum += static_cast<double>(result.luminances.back());
-        result.normals += front.normal[i].cast<double>();
         if (photo.labels[i] != 0 && y > 0) result.shaded.push_back(i);
     }
     return result;
+}
+
+/// Mean radiance of the light that explains the photograph's brightness. The brightest surfaces are judged by the light
+/// that falls on them, which is more than on most: otherwise what faces the light would be edited to pure white.
+float meanRadiance(Brightness brightness, const Surface& front, const Vector3f& gradient) {
+    double received = 0;
+    for (std::size_t k = 0; k < brightness.pixels.size(); ++k) {
+        const float e = irradiance(gradient, front.normal[brightness.pixels[k]]);
+        received += static_cast<double>(e);
+        brightness.luminances[k] /= e;
+    }
+    const auto average = static_cast<float>(brightness.sum / received);
+    const float bright = quantile(brightness.luminances, kBrightQuantile);
+    return std::min(average / kMeanReflectance, bright / kMaxReflectance);
 }
 
 /// At most about `kMaxShadedPixels`, without clipped ones and outlines.
@@ -166,9 +189,16 @@ std::vector<ShadedPixel> shadedPixels(const Photo& photo, const Surface& front,
 }  // namespace
 
 float ShadingLight::radiance(const Vector3f& d) const {
-    const float k = concentration;
-    const float scale = k < 1e-3f ? 1.0f : k / std::sinh(k);
-    return mean * scale * std::exp(k * axis.dot(d));
+    const auto k = static_cast<double>(concentration);
+    const auto c = static_cast<double>(axis.dot(d));
+    const auto most = static_cast<double>(limit);
+    const double broad = static_cast<double>(mean) * lobe(k, c);
+    if (!(static_cast<double>(mean) * lobe(k, 1) > most)) return static_cast<float>(broad);
+    // Half the integral of B − limit over the cosines above that at which B reaches the limit.
+    const double edge = std::max(std::log(most / (static_cast<double>(mean) * lobe(k, 0))) / k, -1.0);
+    const double above = static_cast<double>(mean) * (lobe(k, 1) - lobe(k, edge)) / k;
+    const double excess = 0.5 * (above - most * (1 - edge));
+    return static_cast<float>(std::min(broad, most) + excess * lobe(kLampConcentration, c));
 }
 
 ShadingLight lightFromShading(const Photo& photo, const Surface& front, const Progress& progress) {
@@ -184,11 +214,8 @@ ShadingLight lightFromShading(const Photo& photo, const Surface& front, const Pr
     if (length > 1e-4f) light.axis = gradient / length;
     light.concentration = concentrationOf(0.5f * length);
 
-    const auto count = static_cast<double>(brightness.luminances.size());
-    const auto average = static_cast<float>(brightness.sum / count);
-    const float bright = quantile(brightness.luminances, kBrightQuantile);
-    const Vector3f facing = (brightness.normals / count).cast<float>();
-    light.mean = std::min(average / kMeanReflectance, bright / kMaxReflectance) / irradiance(gradient, facing);
+    light.limit = quantile(std::vector<float>(brightness.luminances), kBrightQuantile);
+    light.mean = std::min(meanRadiance(std::move(brightness), front, gradient), light.limit);
     return light;
 }
 

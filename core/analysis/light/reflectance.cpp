@@ -110,11 +110,13 @@ void fillGaps(const ReflectanceInput& in, const DirectionalMap& guessed, Reflect
     fillDirections(estimate.reflected, fill, fallback, context.part(0.5f, 1));
 }
 
-/// ρ of a segment that shows too little of what is known otherwise: the ratio of the filled maps' means.
+/// ρ of a segment that shows too little of what is known otherwise: the ratio of the filled maps' means. Where that is
+/// no mirror's, most of what the segment shows lies beside the picture, and a chrome ball is the best guess.
 void guessFromFilledMaps(Reflectance& estimate) {
     const Vector3f below = estimate.incident.mean();
     const Vector3f above = estimate.reflected.mean();
     for (int c = 0; c < 3; ++c) estimate.rho[c] = below[c] > 0 ? above[c] / below[c] : 1.0f;
+    if (!(estimate.rho.maxCoeff() < 1)) estimate.rho = Vector3f(1, 1, 1);
 }
 
 /// No mirror reflects more than it receives: an estimate well above that is unreliable.

@@ -34,12 +34,14 @@ inline constexpr float kMinCommonSolidAngle = 0.02f;
 /// 3. Where the pairs cover less than `kMinCommonSolidAngle`: the texels covered in both L_S and L_G.
 /// Sources 2 and 3 leave out texels whose ratio of luminance is among the lowest or highest tenth. Clamped to [0.02,
 /// 1]. `reliable` is false when no source covers `kMinCommonSolidAngle` (ρ is then the ratio of the filled maps'
-/// means), and when the segment shows clearly more light than it mirrors, so that it is not a pure mirror.
+/// means, or 1 where that exceeds 1), and when the segment shows clearly more light than it mirrors, so that it is not
+/// a pure mirror.
 [[nodiscard]] SegmentReflections estimateReflectance(const ReflectanceInput& in, const StepContext& context);
 
-/// True if the estimate is inconsistent with a pure mirror: the segment has diffuse colour of its own.
+/// True if what is known of the light contradicts a pure mirror: the segment has diffuse colour of its own. A segment
+/// that mirrors nothing known, such as a chrome ball alone (a light probe), contradicts nothing.
 [[nodiscard]] inline bool showsMoreThanItMirrors(const Reflectance& estimate) {
-    return !estimate.reliable && estimate.rho.maxCoeff() >= 1;
+    return !estimate.reliable && estimate.commonSolidAngle >= kMinCommonSolidAngle && estimate.rho.maxCoeff() >= 1;
 }
 
 }  // namespace core::analysis

@@ -40,13 +40,28 @@ bool recognisesHeifDepth(const ImportFile& file) {
     return heif_check_filetype(bytes, static_cast<int>(head.size())) != heif_filetype_no;
 }
 
-/// 35 mm equivalent focal length [mm] of an EXIF block as HEIC stores it.
-std::optional<float> focalFromExif(std::string_view block) {
+/// The TIFF structure in an EXIF block as HEIC stores it; empty when there is none.
+std::string_view tiffOf(std::string_view block) {
+    const std::size_t begin = std::min(block.find("MM"), block.find("II"));
+    return begin == std::string_view::npos ? std::string_view() : block.substr(begin);
+}
+
+/// Text of a tag in the first directory; "" when there is none.
+std::string exifText(std::string_view tiff, std::uint64_t tag) {
+    const TiffBytes exif(tiff);
+    const auto entry = exif.findEntry(exif.integer(4, 4), tag);
+    const auto length = entry ? exif.integer(*entry + 4, 4) : std::nullopt;
+    const auto place = length && *length > 4 ? exif.integer(*entry + 8, 4) : entry ? std::optional(*entry + 8) : entry;
+    if (!length || !place || *place > tiff.size()) return {};
+    const std::string_view text = tiff.substr(*place, *length);
+    return std::string(text.substr(0, text.find('\0')));
+}
+
+/// 35 mm equivalent focal length [mm].
+std::optional<float> focalFromExif(std::string_view tiff) {
     constexpr std::uint64_t kExifDirectory = 0x8769;
     constexpr std::uint64_t kFocalLengthIn35mmFilm = 0xa405;
-    const std::size_t begin = std::min(block.find("MM"), block.find("II"));
-    if (begin == std::string_view::npos) return std::nullopt;
-    const TiffBytes exif(block.substr(begin));
+    const TiffBytes exif(tiff);
     const auto pointer = exif.findEntry(exif.integer(4, 4), kExifDirectory);
     const auto entry = pointer ? exif.findEntry(exif.integer(*pointer + 8, 4), kFocalLengthIn35mmFilm) : std::nullopt;
     const auto focal = entry ? exif.integer(*entry + 8, 2) : std::nullopt;
@@ -115,8 +130,18 @@ class HeifReader {
 
     [[nodiscard]] std::optional<float> focal35mm() const {
         for (const std::string& block : metadata(*primary_, "Exif"))
-            if (const auto focal = focalFromExif(block)) return focal;
+            if (const auto focal = focalFromExif(tiffOf(block))) return focal;
         return std::nullopt;
+    }
+
+    [[nodiscard]] std::string device() const {
+        constexpr std::uint64_t kMake = 0x010f, kModel = 0x0110;
+        for (const std::string& block : metadata(*primary_, "Exif")) {
+            const std::string_view tiff = tiffOf(block);
+            const std::string name = deviceName(exifText(tiff, kMake), exifText(tiff, kModel));
+            if (!name.empty()) return name;
+        }
+        return {};
     }
 
   private:
@@ -220,6 +245,7 @@ ImportedPhoto readHeifDepth(const ImportFile& file) {
     ImportedPhoto photo;
     photo.color = reader.readColor();
     photo.focal35mm = reader.focal35mm();
+    photo.device = reader.device();
     const auto depth = reader.depthImage();
     if (depth == nullptr) return photo;
     auto apple = readAppleDepth(file, reader.readXmp(*depth));

@@ -42,6 +42,7 @@ struct ImportedPhoto {
     float clipLevel = 1;             ///< linear value of the largest code; infinite for floating-point colour
     int orientation = 1;             ///< EXIF orientation that has been applied to `color`
     std::optional<float> focal35mm;  ///< 35 mm equivalent focal length [mm]
+    std::string device;              ///< maker and model of the camera; "" = not stated, or as in the picture's EXIF
     ImageF depth;                    ///< as displayed, may be smaller than `color`; empty = the file has no depth
     ImageF coverage;                 ///< [0, 1], share of each pixel of `depth` that is covered; empty = all of it
     std::optional<DepthKind> kind;   ///< kind of `depth`; nullopt = not stated
