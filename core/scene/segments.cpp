@@ -12,7 +12,7 @@ namespace core {
 
 namespace {
 
-constexpr int kMaxLabel = 65535;
+constexpr int kLargestLabel = 65535;
 
 /// A whole number, of any size; nullopt for other texts.
 std::optional<long> wholeNumber(const std::string& text) {
@@ -24,15 +24,15 @@ std::optional<long> wholeNumber(const std::string& text) {
 
 std::uint16_t newLabel(const Scene& scene, const std::string& labelOrName) {
     if (const std::optional<long> number = wholeNumber(labelOrName)) {
-        if (*number < 1 || *number > kMaxLabel)
+        if (*number < 1 || *number > kLargestLabel)
             throw Error(ErrorKind::Usage, Message("messages", "The label of a segment is \"%1\", expected 1 to %2.")
-                                              .with(labelOrName, kMaxLabel));
+                                              .with(labelOrName, kLargestLabel));
         return static_cast<std::uint16_t>(*number);
     }
-    for (int label = 1; label <= kMaxLabel; ++label)
+    for (int label = 1; label <= kLargestLabel; ++label)
         if (scene.findSegment(static_cast<std::uint16_t>(label)) == nullptr) return static_cast<std::uint16_t>(label);
     throw Error(ErrorKind::Usage,
-                Message("messages", "The project has %1 segments already, no label is free.").with(kMaxLabel));
+                Message("messages", "The project has %1 segments already, no label is free.").with(kLargestLabel));
 }
 
 /// Segments whose label is gone, removed; throws for edited ones.

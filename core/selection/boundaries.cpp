@@ -19,8 +19,8 @@ constexpr float kTextureWeight = 1.3f;
 /// Share of the colour's boundaries that exact depth leaves where it sees a smooth surface.
 constexpr float kColorOnSmoothDepth = 0.45f;
 /// Cosines between the normals on both sides of a crease: none, and a full boundary.
-constexpr float kFlat = 0.985f;
-constexpr float kCrease = 0.80f;
+constexpr float kNoCrease = 0.985f;
+constexpr float kFullCrease = 0.80f;
 /// Strengths of a full concave and convex crease. Solids meet in concave ones ([SSPW14]).
 constexpr float kConcave = 0.85f;
 constexpr float kConvex = 0.22f;
@@ -116,7 +116,7 @@ float crease(const SelectionPicture& picture, int x, int y, Axis axis) {
     if (!w.contains(ax, ay) || !w.contains(bx, by) || !(w(ax, ay) > 0) || !(w(bx, by) > 0)) return 0;
     const Vector3f& na = picture.normal(ax, ay);
     const Vector3f& nb = picture.normal(bx, by);
-    const float bend = ramp(-na.dot(nb), -kFlat, -kCrease);
+    const float bend = ramp(-na.dot(nb), -kNoCrease, -kFullCrease);
     if (bend == 0) return 0;
     const Vector3f between =
         picture.camera.backProject(ax, ay, 1 / w(ax, ay)) - picture.camera.backProject(bx, by, 1 / w(bx, by));

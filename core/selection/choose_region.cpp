@@ -17,7 +17,7 @@ constexpr float kGrowth = 1.05f;
 /// Firmness of the picture's edge as part of an outline.
 constexpr float kPictureEdge = 0.4f;
 /// Exponent of the area in the score: of two good outlines the smaller object.
-constexpr float kAreaExponent = -0.06f;
+constexpr float kScoreExponent = -0.06f;
 /// Weight of the part on a support.
 constexpr float kSupportPenalty = 1.5f;
 /// Mean strength below which an outline is none.
@@ -41,7 +41,7 @@ float scoreOf(const RegionTree& tree, std::uint32_t index, bool onSupport) {
     const float firmness = (region.firmness + kPictureEdge * region.border) / length;
     const float apart = 1 / (1 + std::exp((kSeparation - separationOf(tree, index)) / kSeparationWidth));
     const float free = onSupport ? 1.0f : 1 - std::min(1.0f, kSupportPenalty * region.supportArea / region.area);
-    return firmness * firmness * apart * free * std::pow(region.area, kAreaExponent);
+    return firmness * firmness * apart * free * std::pow(region.area, kScoreExponent);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ constexpr float kUnit = 100;
 /// Bins of a colour model along each axis.
 constexpr int kBins = 16;
 /// Chroma that falls into the last bin (OKLab).
-constexpr float kChromaRange = 0.2f;
+constexpr float kModelChroma = 0.2f;
 /// Density that is added to every colour, so that unseen ones tell little.
 constexpr float kLeastDensity = 1e-4f;
 /// Largest log-likelihood ratio that a colour can contribute.
@@ -51,8 +51,8 @@ class ColorModel {
     template <class Visit>
     static void visit(const Vector3f& lab, const Visit& use) {
         const auto scaled = [](float value) { return std::clamp(value, 0.0f, 1.0f) * (kBins - 1); };
-        const std::array<float, 3> at{scaled(lab.x()), scaled(0.5f + 0.5f * lab.y() / kChromaRange),
-                                      scaled(0.5f + 0.5f * lab.z() / kChromaRange)};
+        const std::array<float, 3> at{scaled(lab.x()), scaled(0.5f + 0.5f * lab.y() / kModelChroma),
+                                      scaled(0.5f + 0.5f * lab.z() / kModelChroma)};
         for (unsigned corner = 0; corner < 8; ++corner) {
             float share = 1;
             std::size_t bin = 0;

@@ -19,7 +19,7 @@ constexpr float kColorWeight = 0.25f;
 /// Weight of one region lying on a support plane and the other not.
 constexpr float kSupportWeight = 0.6f;
 /// Exponent of the smaller area in the cost: small specks merge early.
-constexpr float kAreaExponent = 0.12f;
+constexpr float kMergeExponent = 0.12f;
 constexpr std::size_t kMergesPerCheckpoint = 256;
 
 struct Link {
@@ -29,10 +29,10 @@ struct Link {
     bool alive = true;
 };
 
-struct Candidate {
+struct MergeCandidate {
     float cost;
     std::uint32_t link, version;
-    bool operator<(const Candidate& other) const {  // the cheapest is the greatest
+    bool operator<(const MergeCandidate& other) const {  // the cheapest is the greatest
         return cost != other.cost ? cost > other.cost : link > other.link;
     }
 };
@@ -62,7 +62,7 @@ class Merger {
     std::vector<std::uint32_t> regionOf_;              ///< by cluster, which has the index of one of its superpixels
     std::vector<std::vector<std::uint32_t>> linksOf_;  ///< by cluster; may hold dead links
     std::unordered_map<std::uint64_t, std::uint32_t> linkOf_;
-    std::priority_queue<Candidate> queue_;
+    std::priority_queue<MergeCandidate> queue_;
 };
 
 Merger::Merger(const Superpixels& superpixels, const std::vector<int>& support) {
@@ -109,7 +109,7 @@ void Merger::addLink(const SuperpixelBorder& border) {
 float Merger::cost(const Link& link) const {
     const Region& a = tree_.regions[regionOf_[link.a]];
     const Region& b = tree_.regions[regionOf_[link.b]];
-    return separation(link) * std::pow(std::min(a.area, b.area) / pictureArea_, kAreaExponent);
+    return separation(link) * std::pow(std::min(a.area, b.area) / pictureArea_, kMergeExponent);
 }
 
 float Merger::separation(const Link& link) const {
@@ -177,7 +177,7 @@ void Merger::moveLinks(std::uint32_t from, std::uint32_t to) {
 RegionTree Merger::run(const Progress& progress) {
     std::size_t merges = 0;
     while (!queue_.empty()) {
-        const Candidate best = queue_.top();
+        const MergeCandidate best = queue_.top();
         queue_.pop();
         const Link link = links_[best.link];
         if (!link.alive || link.version != best.version) continue;

@@ -30,7 +30,7 @@ constexpr int kOutlineBand = 2;
 constexpr float kColorDistance = 200;
 /// Smallest proposal, as a part of the picture, and least share of its pixels that choose it.
 constexpr float kMinProposal = 0.0004f;
-constexpr float kMinVotes = 0.4f;
+constexpr float kMinProposalVotes = 0.4f;
 constexpr std::size_t kLeavesPerCheckpoint = 256;
 
 constexpr float kNoLimit = std::numeric_limits<float>::max();
@@ -207,7 +207,7 @@ LabelImage Selector::propose(const Progress& progress) const {
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < votes.size(); ++i) {
         const Region& region = tree.regions[i];
-        const bool object = region.area >= least && votes[i] >= kMinVotes * region.area &&
+        const bool object = region.area >= least && votes[i] >= kMinProposalVotes * region.area &&
                             2 * region.depthArea > region.area && 2 * region.supportArea < region.area;
         if (object) order.push_back(i);
     }

@@ -100,7 +100,7 @@ void flood(const BoundaryStrength& boundary, Image<std::uint32_t>& index, const 
     }
 }
 
-void describe(const SelectionPicture& picture, Superpixels& result) {
+void describeSuperpixels(const SelectionPicture& picture, Superpixels& result) {
     const auto& index = result.index;
     for (int y = 0; y < index.height(); ++y)
         for (int x = 0; x < index.width(); ++x) {
@@ -208,7 +208,7 @@ Superpixels findSuperpixels(const SelectionPicture& picture, const BoundaryStren
     }
     flood(boundary, result.index, progress.part(0.2f, 0.6f));
     result.superpixels.resize(count);
-    describe(picture, result);
+    describeSuperpixels(picture, result);
     progress.checkpoint(0.7f);
     findBorders(picture, boundary, result);
     progress.checkpoint(1);

@@ -10,10 +10,10 @@ namespace core {
 namespace {
 
 constexpr int kMaxPlanes = 3;
-constexpr int kTrials = 240;
+constexpr int kPlaneTrials = 240;
 constexpr int kFits = 4;
 /// Least share of the area with depth that a support has.
-constexpr float kMinShare = 1.0f / 12;
+constexpr float kMinSupportShare = 1.0f / 12;
 /// Largest share of the other area that may lie behind it.
 constexpr float kMaxBehind = 0.25f;
 /// Cosine between the normals of a plane and of what lies on it, for exact depth.
@@ -151,9 +151,9 @@ Supports findSupports(const Superpixels& superpixels, const Camera& camera, cons
     for (int round = 0; round < 2 * kMaxPlanes && static_cast<int>(result.planes.size()) < kMaxPlanes; ++round) {
         SupportPlane best{};
         float bestArea = 0;
-        for (int trial = 0; trial < kTrials; ++trial) {
+        for (int trial = 0; trial < kPlaneTrials; ++trial) {
             if (trial % 16 == 0)
-                progress.checkpoint((static_cast<float>(round) + static_cast<float>(trial) / kTrials) /
+                progress.checkpoint((static_cast<float>(round) + static_cast<float>(trial) / kPlaneTrials) /
                                     (2 * kMaxPlanes));
             random = random * 1664525U + 1013904223U;
             const std::size_t i = valid[(random >> 8U) % valid.size()];
@@ -163,7 +163,7 @@ Supports findSupports(const Superpixels& superpixels, const Camera& camera, cons
             if (area > bestArea) bestArea = area, best = plane;
         }
         for (int fit = 0; fit < kFits && bestArea > 0; ++fit) best = finder.refit(best, used);
-        if (!(finder.areaOn(best, used) >= kMinShare * total)) break;
+        if (!(finder.areaOn(best, used) >= kMinSupportShare * total)) break;
         const bool support = finder.holdsTheRest(best);
         for (std::size_t i = 0; i < samples.size(); ++i) {
             if (used[i] >= 0 || !finder.on(best, samples[i])) continue;

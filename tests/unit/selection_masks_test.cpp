@@ -11,7 +11,7 @@ namespace {
 
 using core::BinaryMask;
 
-int areaOf(const BinaryMask& mask) { return std::accumulate(mask.pixels().begin(), mask.pixels().end(), 0); }
+int selectedPixels(const BinaryMask& mask) { return std::accumulate(mask.pixels().begin(), mask.pixels().end(), 0); }
 
 BinaryMask randomMask(int width, int height, unsigned seed, unsigned oneIn) {
     std::mt19937 random(seed);
@@ -54,7 +54,7 @@ TEST(MaskOperations, HolesAreFilledButBaysStay) {
     BinaryMask ring(20, 20);
     for (int y = 4; y < 16; ++y)
         for (int x = 4; x < 16; ++x) ring(x, y) = x < 7 || x >= 13 || y < 7 || y >= 13 ? 1 : 0;
-    EXPECT_EQ(areaOf(core::fillHoles(ring)), 12 * 12);
+    EXPECT_EQ(selectedPixels(core::fillHoles(ring)), 12 * 12);
     for (int x = 13; x < 16; ++x) ring(x, 10) = 0;  // a way out
     EXPECT_EQ(core::fillHoles(ring), ring);
 }
@@ -74,9 +74,9 @@ TEST(MaskOperations, PiecesAreFourConnected) {
     BinaryMask mask(6, 6);
     mask(1, 1) = mask(2, 2) = mask(2, 3) = 1;
     const BinaryMask piece = core::piecesUnder(mask, {{2, 3}});
-    EXPECT_EQ(areaOf(piece), 2);
+    EXPECT_EQ(selectedPixels(piece), 2);
     EXPECT_EQ(piece(1, 1), 0);
-    EXPECT_EQ(areaOf(core::piecesUnder(mask, {{5, 5}, {-1, 0}})), 0);
+    EXPECT_EQ(selectedPixels(core::piecesUnder(mask, {{5, 5}, {-1, 0}})), 0);
 }
 
 TEST(RefineOutline, MovesToTheEdgeOfTheColour) {

@@ -21,7 +21,7 @@ using core::Selector;
 using core::Vector3f;
 
 /// A photograph with known objects.
-struct Picture {
+struct KnownPicture {
     ImageRgb color;
     ImageF depth;
     Camera camera;
@@ -67,10 +67,10 @@ float meet(const Sphere& sphere, const Vector3f& ray) {
 
 /// Two spheres, labels 1 and 2, on a table seen from above. All have the same colour but for texture, so only depth
 /// tells them apart. `noise`: relative, of depth.
-Picture spheresOnTable(float noise = 0) {
+KnownPicture spheresOnTable(float noise = 0) {
     constexpr int kWidth = 240, kHeight = 180;
-    Picture picture{ImageRgb(kWidth, kHeight), ImageF(kWidth, kHeight),
-                    Camera::fromHorizontalFov(kWidth, kHeight, 0.9f), core::LabelImage(kWidth, kHeight)};
+    KnownPicture picture{ImageRgb(kWidth, kHeight), ImageF(kWidth, kHeight),
+                         Camera::fromHorizontalFov(kWidth, kHeight, 0.9f), core::LabelImage(kWidth, kHeight)};
     const Vector3f up = Vector3f(0, -0.8f, -0.6f);
     const float height = -0.5f;  // of the table along `up`
     std::mt19937 random(1);
@@ -94,10 +94,10 @@ Picture spheresOnTable(float noise = 0) {
 }
 
 /// A red disc, label 1, on grey; its depth, nearer, lies `shift` pixels to the right. Without depth when nullopt.
-Picture discWithDepth(std::optional<int> shift) {
+KnownPicture discWithDepth(std::optional<int> shift) {
     constexpr int kWidth = 300, kHeight = 220;
-    Picture picture{ImageRgb(kWidth, kHeight), shift ? ImageF(kWidth, kHeight) : ImageF(),
-                    Camera::fromHorizontalFov(kWidth, kHeight, 1), core::LabelImage(kWidth, kHeight)};
+    KnownPicture picture{ImageRgb(kWidth, kHeight), shift ? ImageF(kWidth, kHeight) : ImageF(),
+                         Camera::fromHorizontalFov(kWidth, kHeight, 1), core::LabelImage(kWidth, kHeight)};
     std::mt19937 random(2);
     std::normal_distribution<float> normal;
     const auto inDisc = [](int x, int y) { return (x - 140) * (x - 140) + (y - 110) * (y - 110) < 60 * 60; };
@@ -112,28 +112,28 @@ Picture discWithDepth(std::optional<int> shift) {
 }
 
 TEST(Selector, OneClickTakesWhatStandsOnATable) {
-    const Picture picture = spheresOnTable();
+    const KnownPicture picture = spheresOnTable();
     const Selector selector = picture.selector();
     for (const std::uint16_t label : {std::uint16_t{1}, std::uint16_t{2}})
         EXPECT_GT(overlap(selector.select({{picture.middle(label)}, {}}), picture.object(label)), 0.95) << label;
 }
 
 TEST(Selector, NoisyDepthIsEnough) {
-    const Picture picture = spheresOnTable(0.002f);
+    const KnownPicture picture = spheresOnTable(0.002f);
     EXPECT_GT(overlap(picture.selector().select({{picture.middle(1)}, {}}), picture.object(1)), 0.8);
 }
 
 TEST(Selector, WorksWithoutDepth) {
-    const Picture picture = discWithDepth({});
+    const KnownPicture picture = discWithDepth({});
     EXPECT_GT(overlap(picture.selector().select({{{130, 100}}, {}}), picture.object(1)), 0.98);
-    Picture empty = picture;
+    KnownPicture empty = picture;
     empty.depth = ImageF(picture.color.width(), picture.color.height());
     EXPECT_EQ(empty.selector().select({{{130, 100}}, {}}), picture.selector().select({{{130, 100}}, {}}));
 }
 
 TEST(Selector, TheOutlineFollowsThePhotographNotTheDepthMap) {
-    const Picture picture = discWithDepth(10);
-    Picture shifted = picture;
+    const KnownPicture picture = discWithDepth(10);
+    KnownPicture shifted = picture;
     for (int y = 0; y < picture.truth.height(); ++y)
         for (int x = 0; x < picture.truth.width(); ++x) shifted.truth(x, y) = picture.depth(x, y) < 1.2f ? 1 : 0;
     const BinaryMask mask = picture.selector().select({{{140, 110}}, {}});
@@ -142,7 +142,7 @@ TEST(Selector, TheOutlineFollowsThePhotographNotTheDepthMap) {
 }
 
 TEST(Selector, PixelsWithoutDepthCanBeClicked) {
-    Picture picture = discWithDepth(0);
+    KnownPicture picture = discWithDepth(0);
     for (int y = 95; y < 125; ++y)
         for (int x = 125; x < 155; ++x) picture.depth(x, y) = 0;
     const BinaryMask mask = picture.selector().select({{{140, 110}}, {}});
@@ -151,7 +151,7 @@ TEST(Selector, PixelsWithoutDepthCanBeClicked) {
 }
 
 TEST(Selector, SeedsAreObeyed) {
-    const Picture picture = spheresOnTable();
+    const KnownPicture picture = spheresOnTable();
     const Pixel a = picture.middle(1), b = picture.middle(2);
     const SelectionSeeds seeds{{a, b}, {{a.x + 3, a.y + 2}, {a.x + 1, a.y}, {120, 20}}};
     const BinaryMask mask = picture.selector().select(seeds);
@@ -160,7 +160,7 @@ TEST(Selector, SeedsAreObeyed) {
 }
 
 TEST(Selector, FurtherClicksAddAndRemove) {
-    const Picture picture = spheresOnTable();
+    const KnownPicture picture = spheresOnTable();
     const Pixel a = picture.middle(1), b = picture.middle(2);
     const Selector selector = picture.selector();
     BinaryMask truth = picture.object(1);
@@ -170,7 +170,7 @@ TEST(Selector, FurtherClicksAddAndRemove) {
 }
 
 TEST(Selector, RefusesSeedsThatMakeNoSense) {
-    const Picture picture = discWithDepth({});
+    const KnownPicture picture = discWithDepth({});
     const Selector selector = picture.selector();
     for (const Pixel outside : {Pixel{-1, 5}, Pixel{300, 5}, Pixel{5, 220}, Pixel{1000000, -1000000}}) {
         EXPECT_THROW((void)selector.select({{outside}, {}}), core::Error);
@@ -213,7 +213,7 @@ TEST(Selector, LargePicturesAreSelectedAtTheirOwnResolution) {
 }
 
 TEST(Selector, DoesNotDependOnTheNumberOfThreads) {
-    const Picture picture = spheresOnTable(0.001f);
+    const KnownPicture picture = spheresOnTable(0.001f);
     const SelectionSeeds seeds{{picture.middle(1)}, {{120, 20}}};
     std::optional<BinaryMask> first;
     for (const std::size_t threads : {1U, 2U, 5U}) {
@@ -226,7 +226,7 @@ TEST(Selector, DoesNotDependOnTheNumberOfThreads) {
 }
 
 TEST(Selector, CanBeCancelled) {
-    const Picture picture = discWithDepth(0);
+    const KnownPicture picture = discWithDepth(0);
     std::atomic<bool> cancel{true};
     const core::Progress progress({}, &cancel);
     EXPECT_THROW(Selector({picture.color, picture.depth, picture.camera, 1}, progress), core::Error);
@@ -236,7 +236,7 @@ TEST(Selector, CanBeCancelled) {
 }
 
 TEST(Selector, ProposesTheObjectsOnTheTable) {
-    const Picture picture = spheresOnTable();
+    const KnownPicture picture = spheresOnTable();
     const core::LabelImage found = picture.selector().propose();
     EXPECT_EQ(*std::ranges::max_element(found.pixels()), 2);
     for (const std::uint16_t label : {std::uint16_t{1}, std::uint16_t{2}}) {
