@@ -31,7 +31,7 @@ Mask pixels(std::initializer_list<int> selected) {
 
 TEST(WithSegment, ANewNameGetsTheFirstFreeLabel) {
     const core::Scene before = fourPixels();
-    const core::Scene scene = core::withSegment(before, pixels({1, 3}), "lid");
+    core::Scene scene = core::withSegment(before, pixels({1, 3}), "lid");
     ASSERT_NE(scene.findSegment("lid"), nullptr);
     EXPECT_EQ(scene.findSegment("lid")->label, 1);
     EXPECT_EQ(scene.photo->labels(0, 0), 3);
@@ -43,7 +43,7 @@ TEST(WithSegment, ANewNameGetsTheFirstFreeLabel) {
 
 TEST(WithSegment, AnExistingOneBecomesTheSelectionAndKeepsItsEdit) {
     for (const char* name : {"pot", "3", "03"}) {
-        const core::Scene scene = core::withSegment(fourPixels(), pixels({1, 3}), name);
+        core::Scene scene = core::withSegment(fourPixels(), pixels({1, 3}), name);
         EXPECT_EQ(scene.segments.size(), 2U);
         EXPECT_EQ(scene.photo->labels(0, 0), 0);
         EXPECT_EQ(scene.photo->labels(3, 0), 3);
@@ -52,14 +52,14 @@ TEST(WithSegment, AnExistingOneBecomesTheSelectionAndKeepsItsEdit) {
 }
 
 TEST(WithSegment, ANumberIsALabel) {
-    const core::Scene scene = core::withSegment(fourPixels(), pixels({3}), "65535");
+    core::Scene scene = core::withSegment(fourPixels(), pixels({3}), "65535");
     EXPECT_EQ(scene.photo->labels(3, 0), 65535);
     EXPECT_EQ(scene.findSegment(std::uint16_t{65535})->name, "segment 65535");
 }
 
 TEST(WithSegment, WhatIsCoveredGoesUnlessItIsEdited) {
     core::Notes notes;
-    const core::Scene scene = core::withSegment(fourPixels(), pixels({2, 3}), "lid", &notes);
+    core::Scene scene = core::withSegment(fourPixels(), pixels({2, 3}), "lid", &notes);
     EXPECT_EQ(scene.findSegment(std::uint16_t{7}), nullptr);
     EXPECT_EQ(notes.size(), 1U);
     EXPECT_THROW((void)core::withSegment(fourPixels(), pixels({0, 1}), "lid"), core::Error);
