@@ -71,6 +71,7 @@ int main(int argc, char** argv) {
     cli::addCreate(app, session);
     cli::addInfo(app, session);
     cli::addExport(app, session);
+    cli::addSegment(app, session);
     cli::addRender(app, session);
     cli::addBrdf(app, session);
     cli::addDevices(app, session);

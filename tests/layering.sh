@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Includes point down only, between the targets: app -> ui -> render -> {core, gpu}, where core and gpu never see each
-# other; and between the rooms of core: base < material < scene < geometry < analysis < shading, with io above analysis.
+# other; and between the rooms of core: base < material < scene < geometry < selection < analysis < shading, with io above analysis.
 set -u
 cd "$(dirname "$0")/.."
 status=0
@@ -21,7 +21,7 @@ forbid 'gpu must not see anything above it.' 'core/|render/|ui/|app/' gpu
 forbid 'render must not see ui or app.' 'ui/|app/' render
 forbid 'ui must not see app.' 'app/' ui
 
-rooms=(base material scene geometry analysis shading)
+rooms=(base material scene geometry selection analysis shading)
 for ((i = 0; i < ${#rooms[@]}; ++i)); do
     above=$(IFS='|'; echo "${rooms[*]:i+1}")
     forbid "core/${rooms[i]} must not see a room above it." "core/(${above:+$above|}io)/" "core/${rooms[i]}"

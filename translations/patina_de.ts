@@ -1142,6 +1142,38 @@
         <source>%1 of the labels in &quot;%2&quot; lie only between others, as soft edges do. Each of them is a segment: save the label map without antialiasing.</source>
         <translation>%1 der Nummern in „%2“ liegen nur zwischen anderen, wie bei weichen Rändern. Jede davon ist ein Segment: Speichern Sie die Segmentkarte ohne Kantenglättung.</translation>
     </message>
+    <message>
+        <source>The label of a segment is &quot;%1&quot;, expected 1 to %2.</source>
+        <translation>Die Nummer eines Segments ist „%1“, erwartet wird 1 bis %2.</translation>
+    </message>
+    <message>
+        <source>The project has %1 segments already, no label is free.</source>
+        <translation>Das Projekt hat schon %1 Segmente, keine Nummer ist frei.</translation>
+    </message>
+    <message>
+        <source>The selection covers all of the segment &quot;%1&quot;, which is edited.</source>
+        <translation>Die Auswahl verdeckt das ganze Segment „%1“, das bearbeitet ist.</translation>
+    </message>
+    <message>
+        <source>The segment &quot;%1&quot; is gone: the selection covers all of it.</source>
+        <translation>Das Segment „%1“ ist entfallen: Die Auswahl verdeckt es ganz.</translation>
+    </message>
+    <message>
+        <source>Nothing is selected, so there is no segment to make.</source>
+        <translation>Nichts ist ausgewählt, also entsteht kein Segment.</translation>
+    </message>
+    <message>
+        <source>The name of the segment is empty.</source>
+        <translation>Der Name des Segments ist leer.</translation>
+    </message>
+    <message>
+        <source>The point %1, %2 lies outside the photograph of %3 pixels.</source>
+        <translation>Der Punkt %1, %2 liegt außerhalb des Fotos mit %3 Pixeln.</translation>
+    </message>
+    <message>
+        <source>The point %1, %2 is both added and removed.</source>
+        <translation>Der Punkt %1, %2 wird zugleich hinzugefügt und entfernt.</translation>
+    </message>
 </context>
 <context>
     <name>metals</name>

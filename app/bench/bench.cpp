@@ -13,6 +13,7 @@
 #include <random>
 
 #include "app/bench/bench_embree.h"
+#include "app/bench/bench_select.h"
 #include "app/bench/bench_translucency.h"
 #include "core/analysis/pipeline.h"
 #include "core/base/clock.h"
@@ -441,7 +442,7 @@ void Benchmarks::analyse() {
 }  // namespace
 
 const std::vector<std::string>& benchmarkNames() {
-    static const std::vector<std::string> names = {"march", "reshade", "quality", "translucency", "analyse"};
+    static const std::vector<std::string> names = {"march", "reshade", "quality", "translucency", "analyse", "select"};
     return names;
 }
 
@@ -466,6 +467,8 @@ std::vector<BenchResult> runBenchmarks(const std::vector<std::string>& names, gp
     if (wanted("quality")) bench.quality();
     if (wanted("translucency")) bench.translucency();
     if (wanted("analyse")) bench.analyse();
+    if (wanted("select"))
+        for (BenchResult& result : benchSelection(*scene.photo, progress)) bench.results.push_back(std::move(result));
     return bench.results;
 }
 

@@ -21,7 +21,8 @@ struct BenchResult {
     std::string unit;
 };
 
-/// Names of all benchmarks in the order they run: march, reshade, quality, translucency, analyse.
+/// Names of all benchmarks in the order they run: march, reshade, quality, translucency, analyse,
+/// select.
 [[nodiscard]] const std::vector<std::string>& benchmarkNames();
 
 /// Runs the named benchmarks (all of them when `names` is empty) on the device and returns their metrics

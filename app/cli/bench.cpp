@@ -94,7 +94,7 @@ void addBench(CLI::App& app, Session& session) {
     };
     const auto args = std::make_shared<Arguments>();
     CLI::App* command = app.add_subcommand("bench", "Measure the speed of the method on this machine");
-    command->footer("Benchmarks: march, reshade, quality, translucency, analyse [default: all].");
+    command->footer("Benchmarks: march, reshade, quality, translucency, analyse, select [default: all].");
     command->add_option("names", args->names, "Benchmarks to run")->type_name("NAME");
     command->add_option("--project", args->project, "Measure on this project [default: the bundled sample]")
         ->type_name("P.patina");

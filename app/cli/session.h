@@ -33,6 +33,7 @@ struct Session {
 void addCreate(CLI::App& app, Session& session);
 void addInfo(CLI::App& app, Session& session);
 void addExport(CLI::App& app, Session& session);
+void addSegment(CLI::App& app, Session& session);
 void addRender(CLI::App& app, Session& session);
 void addBrdf(CLI::App& app, Session& session);
 void addDevices(CLI::App& app, Session& session);

@@ -81,7 +81,7 @@ class CliTest(unittest.TestCase):
 class UsageTest(CliTest):
     def test_help_and_version(self):
         text = self.run_cli("--help").stdout
-        for command in ("create", "info", "export", "render", "devices", "bench"):
+        for command in ("create", "info", "segment", "export", "render", "devices", "bench"):
             self.assertIn(command, text)
             self.assertIn("Usage:", self.run_cli(command, "--help").stdout)
         self.assertRegex(self.run_cli("--version").stdout, r"^patina-cli \d+\.\d+")
@@ -155,6 +155,95 @@ class UsageTest(CliTest):
             self.fails(2, ["is an input"], "export", project, "--layer", "color", "-o", self.path(name))
         with open(self.path("color.png"), "rb") as file:
             self.assertEqual(file.read(), before)
+
+
+class SegmentTest(CliTest):
+    """Selects the near square of small_project, 16 <= x < 32 and 8 <= y < 24."""
+
+    def grey(self, path):
+        """Rows of an 8-bit grey PNG."""
+        with open(path, "rb") as file:
+            data = file.read()
+        width, height, bits, kind = struct.unpack(">IIBB", data[16:26])
+        self.assertEqual((bits, kind), (8, 0))
+        packed, at = b"", 8
+        while at < len(data):
+            length, name = struct.unpack(">I4s", data[at:at + 8])
+            if name == b"IDAT":
+                packed += data[at + 8:at + 8 + length]
+            at += 12 + length
+        raw, rows, above = zlib.decompress(packed), [], [0] * width
+        for y in range(height):
+            line = list(raw[y * (width + 1) + 1:(y + 1) * (width + 1)])
+            for x in range(width):  # undo the filter of the row
+                left, up, corner = (line[x - 1] if x else 0), above[x], (above[x - 1] if x else 0)
+                paeth = min((left, up, corner), key=lambda value: abs(left + up - corner - value))
+                line[x] = (line[x] + (0, left, up, (left + up) // 2, paeth)[raw[y * (width + 1)]]) & 255
+            rows.append(line)
+            above = line
+        return rows
+
+    def without_segments(self):
+        self.small_project()
+        self.run_cli("create", "--color", self.path("color.png"), "--depth", self.path("depth.png"), "--hfov", "60", "-o",
+                     self.path("s.patina"))
+        return self.path("s.patina")
+
+    def square(self, selected, other=0):
+        return [[selected if 16 <= x < 32 and 8 <= y < 24 else other for x in range(48)] for y in range(32)]
+
+    def test_one_point_selects_an_object(self):
+        project = self.without_segments()
+        with open(project) as file:
+            before = file.read()
+        self.assertEqual(self.run_cli("segment", project, "--add", "24,16", "-o", self.path("m.png")).stdout, "")
+        self.assertEqual(self.grey(self.path("m.png")), self.square(255))
+        self.run_cli("segment", project, "--add", "2,2", "--add", "24,16", "--remove=24,17", "-o", self.path("m.png"))
+        rows = self.grey(self.path("m.png"))
+        self.assertEqual((rows[2][2], rows[16][24], rows[17][24]), (255, 255, 0))
+        with open(project) as file:
+            self.assertEqual(file.read(), before)
+
+    def test_into_makes_a_segment_and_keeps_the_edits(self):
+        project = self.without_segments()
+        self.run_cli("segment", project, "--add", "24,16", "--into", "box", "-o", self.path("m.png"))
+        with open(project) as file:
+            document = json.load(file)
+        self.assertEqual([(s["label"], s["name"]) for s in document["segments"]], [(1, "box")])
+        labels = os.path.join(self.folder, document["photo"]["segments"])
+        self.assertEqual(self.grey(labels), self.square(1))
+        document["segments"][0]["edit"] = {"brdf": "ggx", "alpha": 0.3}
+        with open(project, "w") as file:
+            json.dump(document, file)
+        self.run_cli("segment", project, "--add", "2,2", "--into", "7", "-o", self.path("w.png"))
+        with open(project) as file:
+            document = json.load(file)
+        self.assertEqual([s["label"] for s in document["segments"]], [1, 7])
+        self.assertEqual(document["segments"][0]["edit"]["alpha"], 0.3)
+        self.assertTrue(os.path.exists(labels), "the label map that was written first")
+        self.assertEqual(self.grey(os.path.join(self.folder, document["photo"]["segments"])), self.square(1, 7))
+        self.fails(2, ["box", "edited"], "segment", project, "--add", "24,16", "--into", "lid", "-o", self.path("m.png"))
+
+    def test_proposals_are_a_label_map(self):
+        project = self.small_project()
+        self.run_cli("segment", project, "--propose", "-o", self.path("all.png"))
+        self.assertEqual(self.grey(self.path("all.png")), self.square(1))
+
+    def test_what_is_refused(self):
+        project = self.without_segments()
+        out = ["-o", self.path("m.png")]
+        self.fails(2, ["--add"], "segment", project, *out)
+        self.fails(2, ["--propose"], "segment", project, "--propose", "--add", "1,1", *out)
+        for point in ("48,3", "3,32", "-1,3", "1e30,3"):
+            self.fails(2, ["outside", "48x32"], "segment", project, "--add=" + point, *out)
+        self.fails(2, ["24, 16", "both"], "segment", project, "--add", "24,16", "--remove", "24.5,16.5", *out)
+        self.fails(2, ["--add", "2 numbers"], "segment", project, "--add", "24", *out)
+        self.fails(2, ["65536"], "segment", project, "--add", "24,16", "--into", "65536", *out)
+        self.assertFalse(os.path.exists(self.path("m.png")))
+        self.fails(2, ["is an input"], "segment", project, "--add", "24,16", "-o", self.path("color.png"))
+        self.fails(2, ["is an input"], "segment", project, "--add", "24,16", "-o", project)
+        self.fails(5, ["no/such"], "segment", project, "--add", "24,16", "-o", self.path("no/such/m.png"))
+        self.fails(3, ["none.patina"], "segment", self.path("none.patina"), "--add", "1,1", *out)
 
 
 class InputTest(CliTest):

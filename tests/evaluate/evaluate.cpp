@@ -17,6 +17,7 @@
 #include "tests/evaluate/edit_report.h"
 #include "tests/evaluate/metrics.h"
 #include "tests/evaluate/photo_report.h"
+#include "tests/evaluate/selection_report.h"
 #include "tests/evaluate/sheets.h"
 #include "tests/evaluate/speed_report.h"
 #include "tests/evaluate/targets.h"
@@ -29,7 +30,7 @@ using evaluate::Json;
 struct Options {
     std::string root;
     std::string output = "evaluation";
-    std::vector<std::string> parts = {"analysis", "speed", "edits", "photos"};
+    std::vector<std::string> parts = {"analysis", "speed", "edits", "photos", "selection"};
     std::string scene;
     std::string edit;
     int samples = 64;
@@ -42,9 +43,9 @@ struct Options {
 void addOptions(CLI::App& app, Options& options) {
     app.add_option("folder", options.root, "Folder of reference data (default: PATINA_REFERENCE_DATA)");
     app.add_option("-o,--output", options.output, "Output folder for evaluation.md, evaluation.json and pictures");
-    app.add_option("--only", options.parts, "Parts to run: analysis, speed, edits, photos")
+    app.add_option("--only", options.parts, "Parts to run: analysis, speed, edits, photos, selection")
         ->delimiter(',')
-        ->check(CLI::IsMember({"analysis", "speed", "edits", "photos"}));
+        ->check(CLI::IsMember({"analysis", "speed", "edits", "photos", "selection"}));
     app.add_option("--scene", options.scene, "Evaluate only this scene or photo");
     app.add_option("--edit", options.edit, "Evaluate only this edit");
     app.add_option("--samples", options.samples, "Paths per pixel of the edits")->check(CLI::PositiveNumber);
@@ -72,11 +73,28 @@ Json evaluatePhotos(const Options& options) {
     return reports;
 }
 
+/// The outlined objects of the photographs, selected in the photographs at the size in which these are evaluated.
+void selectInPhotos(const Options& options, Json& reports) {
+    const Json list = evaluate::readJson(PATINA_SOURCE_DIR "/tests/evaluate/photos.json");
+    for (const Json& entry : list.at("photos")) {
+        const fs::path folder = fs::path(options.root) / "rgbd" / entry.at("folder").get<std::string>();
+        const std::string name = entry.at("name");
+        if (!fs::exists(folder) || (!options.scene.empty() && name != options.scene)) continue;
+        progress("photo " + name + ": selection");
+        try {
+            reports.push_back(
+                evaluate::selectionReport(evaluate::loadPhotoScene(folder, entry, options.photos.longerSide), name));
+        } catch (const core::Error& error) {
+            progress(error.what());
+        }
+    }
+}
+
 Json run(const Options& options) {
     Json evaluation = {{"commit", options.commit},   {"device", evaluate::newDevice().adapterInfo().name},
                        {"samples", options.samples}, {"analysis", Json::array()},
                        {"edits", Json::array()},     {"speed", Json::array()},
-                       {"photos", Json::array()}};
+                       {"photos", Json::array()},    {"selection", Json::array()}};
     const fs::path output = options.output;
     evaluate::ContactSheet sheet(216, 216);
     const std::vector<fs::path> folders = evaluate::findSceneFolders(options.root);
@@ -87,6 +105,10 @@ Json run(const Options& options) {
         if (options.has("speed")) {
             progress(folder.name + ": speed");
             for (Json& report : evaluate::speedReports(folder)) evaluation["speed"].push_back(std::move(report));
+        }
+        if (options.has("selection")) {
+            progress(folder.name + ": selection");
+            evaluation["selection"].push_back(evaluate::selectionReport(folder.scene, folder.name));
         }
         core::AnalysisPipeline pipeline;
         if (options.has("analysis")) {
@@ -107,6 +129,7 @@ Json run(const Options& options) {
     }
     if (!sheet.empty()) sheet.save((output / "contact_sheet.png").string());
     if (options.has("photos")) evaluation["photos"] = evaluatePhotos(options);
+    if (options.has("selection")) selectInPhotos(options, evaluation["selection"]);
     evaluation["targets"] = evaluate::judgeTargets(evaluation);
     return evaluation;
 }
@@ -121,6 +144,7 @@ std::string markdown(const Json& evaluation) {
     evaluate::printAnalysis(out, evaluation.at("analysis"));
     evaluate::printSpeed(out, evaluation.at("speed"));
     evaluate::printPhotos(out, evaluation.at("photos"));
+    evaluate::printSelections(out, evaluation.at("selection"));
     return out.str();
 }
 

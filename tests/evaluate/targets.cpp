@@ -153,6 +153,32 @@ void judgeSpeed(Json& targets, const Json& reports) {
     }
 }
 
+void judgeSelections(Json& targets, const Json& reports) {
+    constexpr int kMaxClicks = 8;
+    double clicks = 0, distance = 0;
+    int objects = 0, single = 0, tooMany = 0, found = 0;
+    for (const Json& report : reports)
+        for (const Json& object : report.at("objects")) {
+            const int count = object.at("clicks");
+            clicks += count;
+            ++objects;
+            single += count == 1 ? 1 : 0;
+            tooMany += count > kMaxClicks ? 1 : 0;
+            if (!object.at("outline_distance").is_number()) continue;
+            distance += object.at("outline_distance").get<double>();
+            ++found;
+        }
+    if (objects == 0) return;
+    const std::string of = " of " + std::to_string(objects) + " objects";
+    add(targets, "Selection: at most 3.25 clicks to 90 % overlap, mean over objects", fixed(clicks / objects, 2),
+        clicks <= 3.25 * objects);
+    add(targets, "Selection: at least 70 % of the objects with one click", std::to_string(single) + of,
+        single >= 0.7 * objects);
+    add(targets, "Selection: no object needs more than 8 clicks", std::to_string(tooMany) + of, tooMany == 0);
+    add(targets, "Selection: outline within 1.5 px of the true one, mean", fixed(distance / found, 2) + " px",
+        distance <= 1.5 * found);
+}
+
 }  // namespace
 
 Json judgeTargets(const Json& evaluation) {
@@ -166,6 +192,7 @@ Json judgeTargets(const Json& evaluation) {
     }
     if (const Json& edits = evaluation.at("edits"); !edits.empty()) judgeEdits(targets, edits);
     judgeSpeed(targets, evaluation.at("speed"));
+    judgeSelections(targets, evaluation.at("selection"));
     return targets;
 }
 

@@ -11,7 +11,7 @@ import re
 import sys
 
 # Lower rooms first. `io` stands beside `shading`: it may include everything below it, and no room includes it.
-ORDER = ["base", "material", "scene", "geometry", "analysis", "shading"]
+ORDER = ["base", "material", "scene", "geometry", "selection", "analysis", "shading"]
 BESIDE = {"io": "shading"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*"core/([^"]+)"')
 

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/session.h"
+#include "core/io/image_io.h"
+#include "core/io/label_map.h"
+#include "core/io/project.h"
+#include "core/scene/segments.h"
+#include "core/selection/selector.h"
+
+namespace cli {
+
+namespace {
+
+struct SegmentArguments {
+    std::string project;
+    std::vector<std::string> add;
+    std::vector<std::string> remove;
+    bool propose = false;
+    std::string into;
+    std::string output;
+};
+
+/// The pixels at points "X,Y".
+std::vector<core::Pixel> parsePixels(const std::string& option, const std::vector<std::string>& points) {
+    // Farther points lie outside every photograph.
+    constexpr float kFar = 1e6f;
+    std::vector<core::Pixel> pixels;
+    for (const std::string& point : points) {
+        const std::vector<float> xy = parseNumbers(option, point, 2);
+        pixels.push_back({static_cast<int>(std::floor(std::clamp(xy[0], -kFar, kFar))),
+                          static_cast<int>(std::floor(std::clamp(xy[1], -kFar, kFar)))});
+    }
+    return pixels;
+}
+
+/// A mask as a label map of 0 and 255.
+core::LabelImage whiteWhereSelected(const core::BinaryMask& mask) {
+    core::LabelImage labels(mask.width(), mask.height());
+    for (std::size_t i = 0; i < mask.size(); ++i) labels[i] = mask[i] != 0 ? 255 : 0;
+    return labels;
+}
+
+void checkUsage(const SegmentArguments& args) {
+    const auto fail = [](const char* message) { throw core::Error(core::ErrorKind::Usage, message); };
+    if (args.propose && (!args.add.empty() || !args.remove.empty() || !args.into.empty()))
+        fail("--propose finds all objects; it takes no --add, --remove or --into.");
+    if (!args.propose && args.add.empty()) fail("Nothing says what to select: give --add X,Y or --propose.");
+}
+
+void segment(const SegmentArguments& args) {
+    checkUsage(args);
+    const core::SelectionSeeds seeds{parsePixels("--add", args.add), parsePixels("--remove", args.remove)};
+    const core::Scene scene = loadScene(args.project);
+    refuseOverwritingInput(scene, args.project, args.output);
+    core::requireWritable(args.output);
+    const core::Photo& photo = *scene.photo;
+    const core::Progress progress = printedProgress();
+    const core::Selector selector({photo.color, photo.depth, photo.camera, photo.depthStep}, progress.part(0, 0.9f));
+    if (args.propose) {
+        const core::LabelImage objects = selector.propose(progress.part(0.9f, 1.0f));
+        finishProgress();
+        return core::saveLabels(objects, args.output);
+    }
+    const core::BinaryMask mask = selector.select(seeds, progress.part(0.9f, 1.0f));
+    finishProgress();
+    if (args.into.empty()) return core::saveLabels(whiteWhereSelected(mask), args.output);
+    core::Notes notes;
+    const core::Scene changed = core::withSegment(scene, mask, args.into, &notes);
+    core::saveLabels(whiteWhereSelected(mask), args.output);
+    core::saveProject(core::withSavedLabels(changed, args.project), args.project);
+    printNotes(notes);
+}
+
+}  // namespace
+
+void addSegment(CLI::App& app, Session& session) {
+    const auto args = std::make_shared<SegmentArguments>();
+    CLI::App* command = app.add_subcommand("segment", "Select an object in the photograph by pointing at it");
+    command->footer(
+        "Points are pixels of the photograph, the first one is 0,0. Each --add lies on the object, each --remove "
+        "beside\n"
+        "it; usually one --add is enough.\n\n"
+        "Example:\n"
+        "  patina-cli segment desk.patina --add 820,410 --into vase -o vase.png");
+    command->add_option("project", args->project, "Project file")->required()->type_name("P.patina");
+    command->add_option("--add", args->add, "Point on the object; may be repeated")->type_name("X,Y")->take_all();
+    command->add_option("--remove", args->remove, "Point that is not on the object; may be repeated")
+        ->type_name("X,Y")
+        ->take_all();
+    command->add_flag("--propose", args->propose, "Find all objects that stand on a table, floor or wall, by depth");
+    command->add_option("--into", args->into, "Make the selection this segment of the project, new or existing")
+        ->type_name("LABEL");
+    command->add_option("-o,--output", args->output, "Mask to write, 255 = selected; with --propose a label map")
+        ->required()
+        ->type_name("FILE");
+    command->callback([&session, args] { session.run = [args] { segment(*args); }; });
+}
+
+}  // namespace cli
