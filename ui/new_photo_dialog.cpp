@@ -23,6 +23,7 @@ namespace {
 
 /// Delay before a typed path is looked at [ms].
 constexpr int kTypingDelay = 250;
+constexpr int kSentenceWidth = 400;
 
 QLabel* makeSentence(const QString& key, QWidget* parent) {
     auto* label = new QLabel(parent);
@@ -30,6 +31,8 @@ QLabel* makeSentence(const QString& key, QWidget* parent) {
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    // Without it the label reserves the height that its text has when it is narrow.
+    label->setMinimumWidth(kSentenceWidth);
     label->hide();
     return label;
 }

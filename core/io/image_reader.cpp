@@ -13,6 +13,7 @@
 
 #include "core/base/files.h"
 #include "core/io/deep_exr.h"
+#include "core/io/tiff_bytes.h"
 #include "core/io/truncation.h"
 
 namespace core {
@@ -106,6 +107,20 @@ bool indexedPngToGrey(std::string& bytes) {
     return true;
 }
 
+bool indexedTiffToGrey(std::string& bytes) {
+    constexpr std::uint64_t kPhotometricInterpretation = 262;
+    constexpr std::uint64_t kMinIsWhite = 0, kMinIsBlack = 1, kPalette = 3;
+    const TiffBytes tiff(bytes);
+    if (tiff.integer(2, 2) != 42) return false;  // BigTIFF has 43
+    const auto entry = tiff.findEntry(tiff.integer(4, 4), kPhotometricInterpretation);
+    const auto meaning = entry ? tiff.integer(*entry + 8, 2) : std::nullopt;
+    if (meaning != kPalette && meaning != kMinIsWhite) return false;
+    const bool bigEndian = bytes.starts_with("MM");
+    bytes[*entry + 8] = static_cast<char>(bigEndian ? 0 : kMinIsBlack);
+    bytes[*entry + 9] = static_cast<char>(bigEndian ? kMinIsBlack : 0);
+    return true;
+}
+
 int findChannel(const OIIO::ImageSpec& spec, const std::string& name) {
     const auto lower = [](std::string text) {
         std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -153,6 +168,10 @@ void ImageReader::open(const std::string& name, Palette palette) {
     if (palette == Palette::Indices && format_ == "png") {
         std::string bytes = readAll();
         if (indexedPngToGrey(bytes)) memory_ = std::move(bytes);
+    }
+    if (palette == Palette::Indices && format_ == "tiff") {
+        std::string bytes = readAll();
+        if (indexedTiffToGrey(bytes)) memory_ = std::move(bytes);
     }
     if (!memory_.empty()) {
         proxy_ = std::make_unique<OIIO::Filesystem::IOMemReader>(memory_.data(), memory_.size());

@@ -74,5 +74,7 @@ class ImageReader {
 /// A palette picture (PNG colour type 3) rewritten as a grey one, so that its indices can be read as numbers. Returns
 /// false, leaving `bytes`, when it is no such file.
 [[nodiscard]] bool indexedPngToGrey(std::string& bytes);
+/// The same for a TIFF whose first page has a palette (photometric interpretation 3) or counts from white (0).
+[[nodiscard]] bool indexedTiffToGrey(std::string& bytes);
 
 }  // namespace core

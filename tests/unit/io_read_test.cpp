@@ -257,6 +257,43 @@ TEST_F(ReadTest, PalettePngGivesIndicesNotColours) {
     }
 }
 
+namespace {
+
+/// A TIFF of 8-bit samples in one row, by hand: with `meaning` 3 its palette is grey, so that colours look like
+/// numbers.
+std::string smallTiff(bool bigEndian, int meaning, const std::string& samples) {
+    const auto number = [&](std::uint32_t value, int bytes) {
+        std::string text;
+        for (int i = 0; i < bytes; ++i)
+            text += static_cast<char>(value >> static_cast<unsigned>(8 * (bigEndian ? bytes - 1 - i : i)) & 255U);
+        return text;
+    };
+    const auto entry = [&](std::uint32_t tag, std::uint32_t type, std::uint32_t count, std::uint32_t value) {
+        return number(tag, 2) + number(type, 2) + number(count, 4) +
+               (type == 3 && count == 1 ? number(value, 2) + number(0, 2) : number(value, 4));
+    };
+    const auto width = static_cast<std::uint32_t>(samples.size());
+    const std::uint32_t entries = 9, data = 8 + 2 + 12 * entries + 4, palette = data + width;
+    std::string tiff = std::string(bigEndian ? "MM" : "II") + number(42, 2) + number(8, 4) + number(entries, 2);
+    tiff += entry(256, 3, 1, width) + entry(257, 3, 1, 1) + entry(258, 3, 1, 8) + entry(259, 3, 1, 1) +
+            entry(262, 3, 1, static_cast<std::uint32_t>(meaning)) + entry(273, 4, 1, data) + entry(278, 3, 1, 1) +
+            entry(279, 4, 1, width) + entry(320, 3, 768, palette) + number(0, 4) + samples;
+    for (int channel = 0; channel < 3; ++channel)
+        for (std::uint32_t i = 0; i < 256; ++i) tiff += number((97 * i & 255U) * 257, 2);
+    return tiff;
+}
+
+}  // namespace
+
+TEST_F(ReadTest, PaletteTiffGivesIndicesNotColours) {
+    for (const bool bigEndian : {false, true})
+        for (const int meaning : {0, 1, 3}) {
+            test::writeBytes(folder / "p.tif", smallTiff(bigEndian, meaning, std::string("\0\1\2\3", 4)));
+            const core::LabelImage labels = core::loadLabels(folder / "p.tif");
+            for (int x = 0; x < 4; ++x) EXPECT_EQ(labels(x, 0), x) << meaning << (bigEndian ? " MM" : " II");
+        }
+}
+
 TEST_F(ReadTest, LabelsOf16BitAndWholeFloats) {
     test::writeBytes(folder / "l.png", test::pngBytes(2, 1, 16, 0, {std::string("\x01\x2c\xff\xff", 4)}));
     EXPECT_EQ(core::loadLabels(folder / "l.png")(0, 0), 300);
