@@ -68,17 +68,22 @@ SeedLeaves leavesOf(const Selector::State& state, const SelectionSeeds& seeds) {
 SuperpixelPrior guess(const RegionTree& tree, const SeedLeaves& leaves) {
     const std::vector<std::uint8_t> barredAdd = markAncestors(tree, leaves.remove);
     const std::vector<std::uint8_t> barredRemove = markAncestors(tree, leaves.add);
-    std::vector<std::uint32_t> object(tree.leafCount);
+    std::vector<std::uint32_t> object(tree.leafCount), corrected(tree.leafCount);
     float area = 0;
     for (const std::uint32_t leaf : leaves.add) {
         const std::uint32_t region = chooseRegion(tree, leaf, barredAdd, area > 0 ? kMaxAdded * area : kNoLimit);
         setLeaves(tree, region, 1, object);
+        if (area > 0) setLeaves(tree, region, 1, corrected);
         area = std::max(area, tree.regions[region].area);
     }
-    for (const std::uint32_t leaf : leaves.remove)
-        setLeaves(tree, chooseRegion(tree, leaf, barredRemove, kMaxRemoved * area), 0, object);
+    for (const std::uint32_t leaf : leaves.remove) {
+        const std::uint32_t region = chooseRegion(tree, leaf, barredRemove, kMaxRemoved * area);
+        setLeaves(tree, region, 0, object);
+        setLeaves(tree, region, 1, corrected);
+    }
     SuperpixelPrior prior{std::vector<std::uint8_t>(object.begin(), object.end()),
-                          std::vector<std::uint8_t>(tree.leafCount)};
+                          std::vector<std::uint8_t>(tree.leafCount),
+                          std::vector<std::uint8_t>(corrected.begin(), corrected.end())};
     for (const std::uint32_t leaf : leaves.remove) prior.fixed[leaf] = 1, prior.object[leaf] = 0;
     for (const std::uint32_t leaf : leaves.add) prior.fixed[leaf] = 1, prior.object[leaf] = 1;
     return prior;
@@ -142,12 +147,18 @@ int outlineBand(const DepthQuality& quality) {
     return quality.edgeOffset > 0 ? quality.edgeOffset + kOutlineBand : 0;
 }
 
-/// Seeds of both kinds, in units of `factor` pixels.
-std::vector<Pixel> allSeeds(const SelectionSeeds& seeds, int factor) {
-    std::vector<Pixel> all;
+/// Working pixels that the outline may not cross: those of seeds, and of regions that further seeds chose. The user has
+/// looked at these.
+std::vector<Pixel> settledPixels(const Selector::State& state, const SelectionSeeds& seeds,
+                                 const SuperpixelPrior& prior) {
+    std::vector<Pixel> settled;
     for (const auto* list : {&seeds.add, &seeds.remove})
-        for (const Pixel& p : *list) all.push_back({p.x / factor, p.y / factor});
-    return all;
+        for (const Pixel& p : *list) settled.push_back({p.x / state.picture.factor, p.y / state.picture.factor});
+    const Image<std::uint32_t>& index = state.superpixels.index;
+    for (int y = 0; y < index.height(); ++y)
+        for (int x = 0; x < index.width(); ++x)
+            if (prior.corrected[index(x, y)] != 0) settled.push_back({x, y});
+    return settled;
 }
 
 }  // namespace
@@ -177,13 +188,15 @@ BinaryMask Selector::select(const SelectionSeeds& seeds, const Progress& progres
     requireConsistent(seeds);
     if (seeds.add.empty()) return BinaryMask(width(), height());
     const SeedLeaves leaves = leavesOf(*state_, seeds);
-    std::vector<std::uint8_t> object = cutSuperpixels(*state_, guess(state_->tree, leaves), progress.part(0.1f, 0.4f));
+    const SuperpixelPrior prior = guess(state_->tree, leaves);
+    std::vector<std::uint8_t> object = cutSuperpixels(*state_, prior, progress.part(0.1f, 0.4f));
     keepLinked(state_->superpixels, leaves.add, object);
     const SelectionPicture& picture = state_->picture;
     const int factor = picture.factor;
-    BinaryMask mask = refineOutline(maskOf(state_->superpixels, object), state_->workingLab, 1,
-                                    outlineBand(picture.quality), allSeeds(seeds, factor), progress.part(0.4f, 0.7f));
-    if (factor > 1) mask = refineOutline(mask, state_->lab, factor, 1, allSeeds(seeds, 1), progress.part(0.7f, 1.0f));
+    BinaryMask mask =
+        refineOutline(maskOf(state_->superpixels, object), state_->workingLab, 1, outlineBand(picture.quality),
+                      settledPixels(*state_, seeds, prior), progress.part(0.4f, 0.7f));
+    if (factor > 1) mask = refineOutline(mask, state_->lab, factor, 1, {}, progress.part(0.7f, 1.0f));
     divideContested(*state_, seeds, leaves, mask);
     for (const Pixel& p : seeds.add) mask(p.x, p.y) = 1;
     for (const Pixel& p : seeds.remove) mask(p.x, p.y) = 0;

@@ -7,7 +7,8 @@
 
 namespace evaluate {
 
-/// Targets of the reconstruction, judged from the other parts of an evaluation ("analysis", "edits", "speed", "selection"): entries
+/// Targets of the reconstruction, judged from the other parts of an evaluation ("analysis", "edits", "speed",
+/// "selection"): entries
 /// {"target", "reached", "met"}. Parts that were not evaluated are left out.
 [[nodiscard]] Json judgeTargets(const Json& evaluation);
 
