@@ -29,7 +29,7 @@ core::Photo enlarged(const core::Photo& photo, int width) {
                     photo.camera.fy * scale,
                     photo.camera.cx * scale,
                     photo.camera.cy * scale};
-    large.depthStep = photo.depthStep * scale;
+    large.depthSampleSpacing = photo.depthSampleSpacing * scale;
     large.color = core::ImageRgb(width, height);
     large.depth = core::ImageF(width, height);
     for (int y = 0; y < height; ++y)
@@ -45,7 +45,8 @@ core::Photo enlarged(const core::Photo& photo, int width) {
 void measure(const core::Photo& photo, const std::string& suffix, const core::Progress& progress,
              std::vector<BenchResult>& results) {
     const core::Clock::time_point start = core::Clock::now();
-    const core::Selector selector({photo.color, photo.depth, photo.camera, photo.depthStep}, progress.part(0, 0.5f));
+    const core::Selector selector({photo.color, photo.depth, photo.camera, photo.depthSampleSpacing},
+                                  progress.part(0, 0.5f));
     const double preparation = core::secondsSince(start);
     std::vector<double> clicks;
     for (int y = 1; y <= kClicks; ++y)

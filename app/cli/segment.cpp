@@ -60,7 +60,8 @@ void segment(const SegmentArguments& args) {
     core::requireWritable(args.output);
     const core::Photo& photo = *scene.photo;
     const core::Progress progress = printedProgress();
-    const core::Selector selector({photo.color, photo.depth, photo.camera, photo.depthStep}, progress.part(0, 0.9f));
+    const core::Selector selector({photo.color, photo.depth, photo.camera, photo.depthSampleSpacing},
+                                  progress.part(0, 0.9f));
     if (args.propose) {
         const core::LabelImage objects = selector.propose(progress.part(0.9f, 1.0f));
         finishProgress();

@@ -156,7 +156,7 @@ Json selectionReport(const core::Scene& scene, const std::string& name) {
     const auto largest = std::ranges::max_element(areas, {}, [](const auto& entry) { return entry.second; });
     if (areas.size() > 1) areas.erase(largest);
     const core::Clock::time_point start = core::Clock::now();
-    const core::Selector selector({photo.color, photo.depth, photo.camera, photo.depthStep});
+    const core::Selector selector({photo.color, photo.depth, photo.camera, photo.depthSampleSpacing});
     Json report = {{"case", name}, {"preparation_seconds", core::secondsSince(start)}, {"objects", Json::array()}};
     for (const auto& [label, area] : areas) {
         BinaryMask truth(photo.labels.width(), photo.labels.height());
