@@ -154,7 +154,7 @@ void judgeSpeed(Json& targets, const Json& reports) {
 }
 
 void judgeSelections(Json& targets, const Json& reports) {
-    constexpr int kMaxClicks = 8;
+    constexpr int kTargetClicks = 8;
     double clicks = 0, distance = 0;
     int objects = 0, single = 0, tooMany = 0, found = 0;
     for (const Json& report : reports)
@@ -163,7 +163,7 @@ void judgeSelections(Json& targets, const Json& reports) {
             clicks += count;
             ++objects;
             single += count == 1 ? 1 : 0;
-            tooMany += count > kMaxClicks ? 1 : 0;
+            tooMany += count > kTargetClicks ? 1 : 0;
             if (!object.at("outline_distance").is_number()) continue;
             distance += object.at("outline_distance").get<double>();
             ++found;
