@@ -9,6 +9,11 @@
 #include <string>
 #include <utility>
 
+#include "core/analysis/depth/depth_noise.h"
+#include "core/analysis/depth/filter_depth.h"
+#include "core/analysis/depth/normals.h"
+#include "core/analysis/light/shepard.h"
+#include "core/analysis/light/sphere_membrane.h"
 #include "core/analysis/pipeline.h"
 #include "core/io/project.h"
 #include "render/analysis/gpu_analysis_kernels.h"
