@@ -1174,6 +1174,10 @@
         <source>The point %1, %2 is both added and removed.</source>
         <translation>Der Punkt %1, %2 wird zugleich hinzugefügt und entfernt.</translation>
     </message>
+    <message>
+        <source>The depth map has no valid pixel: all of its %1 values are zero or not finite, but at least one positive depth is needed. Load a depth map that belongs to the photograph, or check its unit and kind.</source>
+        <translation>Die Tiefenkarte hat kein gültiges Pixel: Alle %1 Werte sind null oder nicht endlich, aber mindestens eine positive Tiefe wird gebraucht. Laden Sie eine Tiefenkarte, die zum Foto gehört, oder prüfen Sie ihre Einheit und Art.</translation>
+    </message>
 </context>
 <context>
     <name>metals</name>
