@@ -233,7 +233,7 @@ ImageInfo readImageInfo(EmbeddedImage image) {
 
 StoredFormat storedFormat(const std::string& path) { return readImageInfo(path).format; }
 
-LabelImage loadLabels(const std::string& path, Notes* remarks) {
+LabelImage loadLabels(const std::string& path, Notes* remarks, MaskEdges edges) {
     ImageReader reader(path, ImageReader::Palette::Indices);
     if (reader.format() == "jpeg")
         reader.fail(Message(
@@ -251,7 +251,7 @@ LabelImage loadLabels(const std::string& path, Notes* remarks) {
     const float maximum = reader.integerScale();
     const int alpha = reader.spec().alpha_channel;
     if (alpha > 0) remark(takeObjectFromAlpha(values, reader.readChannel(alpha), maximum, path));
-    remark(hardenMask(values, maximum, path));
+    if (edges == MaskEdges::Harden) remark(hardenMask(values, maximum, path));
     LabelImage labels(values.width(), values.height());
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const float value = values[i];

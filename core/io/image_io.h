@@ -51,10 +51,13 @@ struct ImageInfo {
 [[nodiscard]] ImageInfo readImageInfo(const std::string& path);
 /// Whether the file's content is one of the formats above. Throws when there is no such file.
 [[nodiscard]] bool isImageFile(const std::string& path);
+/// What becomes of a black-and-white mask with soft edges: one object, or one segment for each of its values.
+enum class MaskEdges { Harden, Keep };
 /// Label map: 8 or 16-bit integers (floats when they are whole numbers), palette pictures by index. JPEG is refused. A
-/// black-and-white mask with soft edges, or one in the alpha channel, is one object (core/io/mask_labels.h); `remarks`
-/// says so.
-[[nodiscard]] LabelImage loadLabels(const std::string& path, Notes* remarks = nullptr);
+/// black-and-white mask with soft edges (Harden), or one in the alpha channel, is one object (core/io/mask_labels.h);
+/// `remarks` says so.
+[[nodiscard]] LabelImage loadLabels(const std::string& path, Notes* remarks = nullptr,
+                                    MaskEdges edges = MaskEdges::Harden);
 
 /// An image file inside another file.
 struct EmbeddedImage {

@@ -335,10 +335,10 @@ std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, Notes* notes
         photo->labels = LabelImage(camera.width, camera.height, 0);
     } else {
         const ImageInfo labelInfo = readImageInfo(source.segments);
-        photo->labels = enlarge(
-            matchOrientation(loadLabels(source.segments, notes), source.segments, Message("messages", "Label map"),
-                             camera, labelInfo.orientation, info.orientation, source.color),
-            camera);
+        photo->labels = enlarge(matchOrientation(loadLabels(source.segments, notes, request.maskEdges), source.segments,
+                                                 Message("messages", "Label map"), camera, labelInfo.orientation,
+                                                 info.orientation, source.color),
+                                camera);
     }
     progress.checkpoint(1);
     return photo;

@@ -8,6 +8,7 @@
 
 #include "core/base/message.h"
 #include "core/base/progress.h"
+#include "core/io/image_io.h"
 #include "core/scene/scene.h"
 
 namespace core {
@@ -18,6 +19,8 @@ struct PhotoRequest {
     std::optional<double> depthUnit;   ///< nullopt = by the file's format, as in CreateOptions (project.h)
     std::optional<Camera> intrinsics;  ///< only fx, fy, cx, cy are read
     std::optional<float> hfov;         ///< [rad]
+    /// Keep: each value of a mask with soft edges is a segment, as in projects of versions that did not know them.
+    MaskEdges maskEdges = MaskEdges::Harden;
 };
 
 /// Reads and fits together colour, depth and labels. Throws Error(Input), and Error(Usage) for a unit that has to be

@@ -154,7 +154,10 @@ Scene readProject(const std::string& path, Notes* notes, const Progress& progres
     });
     reader.finish();
 
-    scene.photo = loadPhoto(readPhoto(*photo, paths), notes, progress.part(0, kPhotoEnd));
+    PhotoRequest request = readPhoto(*photo, paths);
+    // A mask that is one object has one segment.
+    if (segments != nullptr && segments->size() > 1) request.maskEdges = MaskEdges::Keep;
+    scene.photo = loadPhoto(request, notes, progress.part(0, kPhotoEnd));
     if (segments != nullptr) {
         Notes unheard;
         readSegments(*segments, fs::path(path).parent_path().string(), scene, notes != nullptr ? notes : &unheard);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
 
@@ -79,6 +80,19 @@ class MaskLabels : public testing::Test {
         EXPECT_EQ(remark(), "");
     }
 };
+
+/// A photograph with depth and a mask with soft edges.
+core::CreateOptions softProject(const test::TempFolder& folder) {
+    test::writePnm8(folder / "c.ppm", kMaskSize, kMaskSize, 3,
+                    std::vector<std::uint8_t>(3UL * kMaskSize * kMaskSize, 99));
+    test::writePfm(folder / "d.pfm", kMaskSize, kMaskSize, 1, std::vector<float>(1UL * kMaskSize * kMaskSize, 1.0f));
+    writePng(folder / "mask.png", softDisc(20, 65535), 16);
+    core::CreateOptions options;
+    options.color = folder / "c.ppm";
+    options.depth = folder / "d.pfm";
+    options.segments = folder / "mask.png";
+    return options;
+}
 
 }  // namespace
 
@@ -194,16 +208,20 @@ TEST_F(MaskLabels, ValuesThatAreNoNumbersAreNoMask) {
 }
 
 TEST_F(MaskLabels, ANewProjectHasOneSegmentAndANote) {
-    test::writePnm8(folder / "c.ppm", kMaskSize, kMaskSize, 3,
-                    std::vector<std::uint8_t>(3UL * kMaskSize * kMaskSize, 99));
-    test::writePfm(folder / "d.pfm", kMaskSize, kMaskSize, 1, std::vector<float>(1UL * kMaskSize * kMaskSize, 1.0f));
-    writePng(folder / "mask.png", softDisc(20, 65535), 16);
-    core::CreateOptions options;
-    options.color = folder / "c.ppm";
-    options.depth = folder / "d.pfm";
-    options.segments = folder / "mask.png";
-    const core::Scene scene = core::createScene(options, &remarks);
+    const core::Scene scene = core::createScene(softProject(folder), &remarks);
     EXPECT_EQ(scene.segments.size(), 1U);
     EXPECT_TRUE(std::ranges::any_of(
         remarks, [](const core::Message& note) { return note.english().find("soft edges") != std::string::npos; }));
+}
+
+TEST_F(MaskLabels, AProjectThatHasASegmentForEachValueStillOpens) {
+    const core::Scene scene = core::createScene(softProject(folder));
+    core::saveProject(scene, folder / "new.patina");
+    auto project = nlohmann::json::parse(test::readBytes(folder / "new.patina"));
+    const core::LabelImage values = core::loadLabels(folder / "mask.png", nullptr, core::MaskEdges::Keep);
+    const auto soft = *std::ranges::find_if(values.pixels(), [](int v) { return v > 0 && v < 65535; });
+    project["segments"].push_back({{"label", soft}, {"name", "edge"}});
+    test::writeBytes(folder / "old.patina", project.dump());
+    EXPECT_GT(core::loadProject(folder / "old.patina").segments.size(), 10U);
+    EXPECT_EQ(core::loadProject(folder / "new.patina").segments.size(), 1U);
 }
