@@ -67,6 +67,7 @@ struct LayerBuilder {
 
 DepthLayers buildDepthLayers(const Camera& camera, const LabelImage& labels, const Surface& front, const Surface& back,
                              const Progress& progress) {
+    constexpr float kAllocating = 0.2f;  // share of the time
     CORE_ASSERT(front.depth.sameSize(labels) && back.depth.sameSize(labels), "layers of one size");
     DepthLayers layers;
     layers.camera = camera;
@@ -78,7 +79,7 @@ DepthLayers buildDepthLayers(const Camera& camera, const LabelImage& labels, con
         float min = std::numeric_limits<float>::infinity(), max = 0;
     };
     std::vector<Range> rows(static_cast<std::size_t>(labels.height()));
-    parallelFor(progress, labels.height(), [&](int y) {
+    parallelFor(progress.part(kAllocating, 1), labels.height(), [&](int y) {
         Range& row = rows[static_cast<std::size_t>(y)];
         for (int x = 0; x < labels.width(); ++x) {
             DepthLayers::Patch near = builder.patch(front, x, y);

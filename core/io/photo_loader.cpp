@@ -21,7 +21,7 @@ namespace {
 /// Reading the depth.
 constexpr float kDepthEnd = 0.05f;
 /// Reading depth and colour.
-constexpr float kImportEnd = 0.3f;
+constexpr float kImportEnd = 0.35f;
 /// Enlarging the depth; the labels take the rest.
 constexpr float kEnlargeEnd = 0.92f;
 

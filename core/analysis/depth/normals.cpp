@@ -187,7 +187,7 @@ Step computeNormalsStep() {
         auto surface = std::make_shared<Surface>();
         surface->depth = board.depth->depth;
         surface->color = photo.color;
-        const float fitted = noise > 0 ? 0.55f : 1.0f;
+        const float fitted = noise > 0 ? 0.45f : 1.0f;
         context.kernels.computeSurface({photo.camera, photo.labels, Side::Front, noise}, *surface,
                                        context.progress.part(0, fitted));
         if (noise > 0)

@@ -84,7 +84,7 @@ RecoveryPlan planRecovery(const ImageF& depth, const Scene& scene, const DepthNo
     plan.filter = scene.depthFilter.enabled && (noise.relative > 0 || !scene.depthFilter.automatic);
     plan.smooth = scene.depthFilter.enabled;
     if (plan.removeFlying) plan.flyingTime = 50 * pixels;
-    if (plan.filter) plan.filterTime = 720 * pixels;
+    if (plan.filter) plan.filterTime = 600 * pixels;
     plan.remeasure = plan.filter && noise.relative > 0;
     if (plan.remeasure) plan.noiseTime = 17 * pixels;
     plan.fillTime = expectedFillTime(depth, photo);
