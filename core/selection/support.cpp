@@ -96,10 +96,6 @@ class PlaneFinder {
     float cosine_;
 };
 
-}  // namespace
-
-namespace {
-
 /// Marks superpixels that are without depth because they are far away: with exact depth all, otherwise large areas.
 void markDistant(const Superpixels& superpixels, const DepthQuality& quality, Supports& supports) {
     const std::size_t count = superpixels.superpixels.size();

@@ -6,7 +6,6 @@
 #include <QToolButton>
 
 class QFrame;
-class QVBoxLayout;
 
 namespace ui {
 

@@ -63,8 +63,8 @@ struct PlaneSample {
 /// How a robust fit treats its samples. The defaults suit windows of a few hundred samples around a gap.
 struct RobustPlaneFit {
     int rounds = 7;  ///< of reweighted least squares
-    int absoluteRounds =
-        3;  ///< number of the first rounds, which minimise absolute residuals: outliers cannot bias them
+    /// Number of the first rounds, which minimise absolute residuals: outliers cannot bias them.
+    int absoluteRounds = 3;
     double stiffness = 1e-4;                                    ///< as in `PlaneMoments::solve`, towards slope 0
     double maxSlope = std::numeric_limits<double>::infinity();  ///< relative to the mean value, per unit of (u, v)
     double scale = 3;        ///< residual with a weight of a quarter, in medians of the absolute residuals

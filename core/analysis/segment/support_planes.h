@@ -26,8 +26,8 @@ struct SupportPlane {
 };
 
 /// Plane through points, fitted robustly (RANSAC, then least squares over the inliers: points within three pixel widths
-/// of it). `pixelWidth` [m] at a depth of one metre. nullopt for fewer than a dozen points, or when less than half of
-/// them are inliers.
+/// of it). `pixelWidth` [m] at a depth of one metre. nullopt for fewer than a dozen points, or when fewer than half
+/// of them are inliers.
 [[nodiscard]] std::optional<SupportPlane> fitPlane(std::span<const Vector3f> points, float pixelWidth);
 
 /// The plane a segment stands on or leans against (`fitPlane`), from the support pixels around the segment's outline.
