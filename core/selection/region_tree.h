@@ -19,9 +19,9 @@ struct Region {
     float depthArea = 0;                   ///< pixels with depth [px]
     float supportArea = 0;                 ///< pixels on support planes [px]
     float border = 0;                      ///< part of the outline on the picture's edge [px]
-    float outline = 0;                     ///< the other part [px]
-    float strength = 0;                    ///< integral of the boundary strength along the latter [px]
-    float firmness = 0;                    ///< likewise of SuperpixelBorder::firmness [px]
+    float outline = 0;                     ///< the rest of the outline [px]
+    float strength = 0;                    ///< integral of the boundary strength along it [px]
+    float firmness = 0;                    ///< integral of SuperpixelBorder::firmness along it [px]
     Vector3f lab = Vector3f::Zero();       ///< mean colour
 };
 

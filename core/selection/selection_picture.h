@@ -54,8 +54,8 @@ struct BoundaryStrength {
     Image<std::uint8_t> down;   ///< between (x, y) and (x, y+1); the last row is 0
 };
 
-/// Combines the evidence of colour, depth steps and creases (docs/method.md#selection), at each pixel mostly that of the
-/// strongest cue ([FPCC16]). May set `picture.quality.edgeOffset`. Throws Error(Cancelled).
+/// Combines the evidence of colour, depth steps and creases (docs/method.md#selection), at each pixel mostly that of
+/// the strongest cue ([FPCC16]). May set `picture.quality.edgeOffset`. Throws Error(Cancelled).
 [[nodiscard]] BoundaryStrength findBoundaries(SelectionPicture& picture, const Progress& progress);
 
 /// OKLab of scene-linear Rec.709.

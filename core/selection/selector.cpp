@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/error.h"
 #include "core/selection/choose_region.h"
 #include "core/selection/cut_superpixels.h"
@@ -92,18 +93,13 @@ SuperpixelPrior guess(const RegionTree& tree, const SeedLeaves& leaves) {
 /// Leaves only what is linked with the added superpixels, over narrow gaps too.
 void keepLinked(const Superpixels& superpixels, const std::vector<std::uint32_t>& add,
                 std::vector<std::uint8_t>& object) {
-    std::vector<std::uint32_t> root(object.size());
-    for (std::uint32_t i = 0; i < root.size(); ++i) root[i] = i;
-    const auto find = [&](std::uint32_t i) {
-        while (root[i] != i) i = root[i] = root[root[i]];
-        return i;
-    };
+    DisjointSets linked(object.size());
     for (const SuperpixelBorder& border : superpixels.borders)
-        if (object[border.a] != 0 && object[border.b] != 0) root[find(border.b)] = find(border.a);
+        if (object[border.a] != 0 && object[border.b] != 0) linked.join(border.a, border.b);
     std::vector<std::uint8_t> kept(object.size());
-    for (const std::uint32_t leaf : add) kept[find(leaf)] = 1;
+    for (const std::uint32_t leaf : add) kept[linked.find(leaf)] = 1;
     for (std::uint32_t i = 0; i < object.size(); ++i)
-        if (kept[find(i)] == 0) object[i] = 0;
+        if (kept[linked.find(i)] == 0) object[i] = 0;
 }
 
 /// The superpixels of an object, in working pixels.
@@ -166,15 +162,15 @@ std::vector<Pixel> settledPixels(const Selector::State& state, const SelectionSe
 Selector::Selector(const SelectionInput& input, const Progress& progress) {
     auto state = std::make_shared<State>();
     state->picture = makeSelectionPicture(input, state->lab, progress.part(0, 0.3f));
-    state->boundary = findBoundaries(state->picture, progress.part(0.3f, 0.6f));
+    const BoundaryStrength boundary = findBoundaries(state->picture, progress.part(0.3f, 0.6f));
     state->workingLab = Image<PackedLab>(state->picture.lab.width(), state->picture.lab.height());
     std::ranges::transform(state->picture.lab.pixels(), state->workingLab.pixels().begin(), packLab);
     const auto pixels = static_cast<float>(state->picture.lab.size());
     const auto cell = static_cast<int>(std::clamp(std::sqrt(pixels / kSuperpixels), kMinCell, kMaxCell));
-    state->superpixels = findSuperpixels(state->picture, state->boundary, cell, progress.part(0.6f, 0.8f));
-    state->supports =
+    state->superpixels = findSuperpixels(state->picture, boundary, cell, progress.part(0.6f, 0.8f));
+    state->supportOf =
         findSupports(state->superpixels, state->picture.camera, state->picture.quality, progress.part(0.8f, 0.85f));
-    state->tree = buildRegionTree(state->superpixels, state->supports.planeOf, progress.part(0.85f, 1.0f));
+    state->tree = buildRegionTree(state->superpixels, state->supportOf, progress.part(0.85f, 1.0f));
     state_ = std::move(state);
 }
 
@@ -213,7 +209,7 @@ LabelImage Selector::propose(const Progress& progress) const {
     for (std::uint32_t leaf = 0; leaf < tree.leafCount; ++leaf) {
         if (leaf % kLeavesPerCheckpoint == 0)
             progress.checkpoint(0.5f * static_cast<float>(leaf) / static_cast<float>(tree.leafCount));
-        if (state.supports.planeOf[leaf] != kNoSupport) continue;
+        if (state.supportOf[leaf] != kNoSupport) continue;
         votes[chooseRegion(tree, leaf, unbarred, kNoLimit)] += tree.regions[leaf].area;
     }
     const float least = kMinProposal * static_cast<float>(state.picture.lab.size());

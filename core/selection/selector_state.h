@@ -13,9 +13,8 @@ struct Selector::State {
     Image<PackedLab> lab;         ///< at the photograph's resolution
     Image<PackedLab> workingLab;  ///< at the working resolution
     SelectionPicture picture;
-    BoundaryStrength boundary;
     Superpixels superpixels;
-    Supports supports;
+    std::vector<int> supportOf;  ///< by superpixel, see findSupports
     RegionTree tree;
 };
 

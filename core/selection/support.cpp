@@ -2,8 +2,11 @@
 #include "core/selection/support.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+
+#include "core/base/disjoint_sets.h"
 
 namespace core {
 
@@ -22,6 +25,11 @@ constexpr float kNormalCosine = 0.94f;
 /// Noise below which depth is exact, and share of the picture from which an area without depth is far away otherwise.
 constexpr float kExactNoise = 0.0015f;
 constexpr float kDistantShare = 0.03f;
+
+struct FacingPlane {
+    Vector3f normal{0, 0, -1};  ///< unit length, facing the camera
+    float offset = 0;           ///< normal · p for its points [m]
+};
 
 struct Sample {
     Vector3f point, normal;
@@ -46,19 +54,19 @@ class PlaneFinder {
           tolerance_(0.004f + 3 * quality.noise),
           cosine_(kNormalCosine - std::min(0.2f, 8 * quality.noise)) {}
 
-    [[nodiscard]] bool on(const SupportPlane& plane, const Sample& sample) const {
+    [[nodiscard]] bool on(const FacingPlane& plane, const Sample& sample) const {
         return sample.area > 0 && sample.normal.dot(plane.normal) > cosine_ &&
                std::abs(plane.normal.dot(sample.point) - plane.offset) < tolerance_ * sample.point.z();
     }
     /// Area on the plane among the samples that are still free.
-    [[nodiscard]] float areaOn(const SupportPlane& plane, const std::vector<int>& planeOf) const {
+    [[nodiscard]] float areaOn(const FacingPlane& plane, const std::vector<int>& planeOf) const {
         float area = 0;
         for (std::size_t i = 0; i < samples_.size(); ++i)
             if (planeOf[i] < 0 && on(plane, samples_[i])) area += samples_[i].area;
         return area;
     }
     /// Least-squares plane through what lies on `plane`.
-    [[nodiscard]] SupportPlane refit(const SupportPlane& plane, const std::vector<int>& planeOf) const {
+    [[nodiscard]] FacingPlane refit(const FacingPlane& plane, const std::vector<int>& planeOf) const {
         Eigen::Vector3d mean = Eigen::Vector3d::Zero();
         Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
         double sum = 0;
@@ -79,7 +87,7 @@ class PlaneFinder {
         return {normal, normal.dot(mean.cast<float>())};
     }
     /// Whether little of the rest lies behind the plane.
-    [[nodiscard]] bool holdsTheRest(const SupportPlane& plane) const {
+    [[nodiscard]] bool holdsTheRest(const FacingPlane& plane) const {
         float behind = 0, rest = 0;
         for (const Sample& sample : samples_) {
             if (!(sample.area > 0) || on(plane, sample)) continue;
@@ -97,41 +105,32 @@ class PlaneFinder {
 };
 
 /// Marks superpixels that are without depth because they are far away: with exact depth all, otherwise large areas.
-void markDistant(const Superpixels& superpixels, const DepthQuality& quality, Supports& supports) {
+void markDistant(const Superpixels& superpixels, const DepthQuality& quality, std::vector<int>& supportOf) {
     const std::size_t count = superpixels.superpixels.size();
-    std::vector<std::uint32_t> root(count);
-    std::vector<float> area(count);
-    float pictureArea = 0;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        root[i] = i;
-        area[i] = superpixels.superpixels[i].area;
-        pictureArea += area[i];
-    }
-    const auto find = [&](std::uint32_t i) {
-        while (root[i] != i) i = root[i] = root[root[i]];
-        return i;
-    };
+    DisjointSets regions(count);
     const auto empty = [&](std::uint32_t i) {
         return 4 * superpixels.superpixels[i].depthArea < superpixels.superpixels[i].area;
     };
-    for (const SuperpixelBorder& border : superpixels.borders) {
-        const std::uint32_t a = find(border.a), b = find(border.b);
-        if (a == b || !empty(border.a) || !empty(border.b)) continue;
-        root[b] = a;
-        area[a] += area[b];
+    for (const SuperpixelBorder& border : superpixels.borders)
+        if (empty(border.a) && empty(border.b)) regions.join(border.a, border.b);
+    std::vector<float> area(count);
+    float pictureArea = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        area[regions.find(i)] += superpixels.superpixels[i].area;
+        pictureArea += superpixels.superpixels[i].area;
     }
     const bool exact = quality.noise < kExactNoise && quality.edgeOffset == 0;
     const float least = exact ? 0.0f : kDistantShare * pictureArea;
     for (std::uint32_t i = 0; i < count; ++i)
-        if (empty(i) && area[find(i)] >= least) supports.planeOf[i] = kDistant;
+        if (empty(i) && area[regions.find(i)] >= least) supportOf[i] = kDistant;
 }
 
 }  // namespace
 
-Supports findSupports(const Superpixels& superpixels, const Camera& camera, const DepthQuality& quality,
-                      const Progress& progress) {
-    Supports result;
-    result.planeOf.assign(superpixels.superpixels.size(), kNoSupport);
+std::vector<int> findSupports(const Superpixels& superpixels, const Camera& camera, const DepthQuality& quality,
+                              const Progress& progress) {
+    std::vector<int> supportOf(superpixels.superpixels.size(), kNoSupport);
+    int count = 0;
     const std::vector<Sample> samples = samplesOf(superpixels, camera);
     float total = 0;
     std::vector<std::size_t> valid;
@@ -139,13 +138,13 @@ Supports findSupports(const Superpixels& superpixels, const Camera& camera, cons
         total += samples[i].area;
         if (samples[i].area > 0) valid.push_back(i);
     }
-    if (valid.empty()) return result;
-    markDistant(superpixels, quality, result);
+    if (valid.empty()) return supportOf;
+    markDistant(superpixels, quality, supportOf);
     const PlaneFinder finder(samples, quality);
     std::vector<int> used(samples.size(), -1);  // round in which a plane took it
     std::uint32_t random = 12345;
-    for (int round = 0; round < 2 * kMaxPlanes && static_cast<int>(result.planes.size()) < kMaxPlanes; ++round) {
-        SupportPlane best{};
+    for (int round = 0; round < 2 * kMaxPlanes && count < kMaxPlanes; ++round) {
+        FacingPlane best{};
         float bestArea = 0;
         for (int trial = 0; trial < kPlaneTrials; ++trial) {
             if (trial % 16 == 0)
@@ -154,7 +153,7 @@ Supports findSupports(const Superpixels& superpixels, const Camera& camera, cons
             random = random * 1664525U + 1013904223U;
             const std::size_t i = valid[(random >> 8U) % valid.size()];
             if (used[i] >= 0 || !(samples[i].normal.norm() > 0.5f)) continue;
-            const SupportPlane plane{samples[i].normal, samples[i].normal.dot(samples[i].point)};
+            const FacingPlane plane{samples[i].normal, samples[i].normal.dot(samples[i].point)};
             const float area = finder.areaOn(plane, used);
             if (area > bestArea) bestArea = area, best = plane;
         }
@@ -164,11 +163,11 @@ Supports findSupports(const Superpixels& superpixels, const Camera& camera, cons
         for (std::size_t i = 0; i < samples.size(); ++i) {
             if (used[i] >= 0 || !finder.on(best, samples[i])) continue;
             used[i] = round;
-            if (support) result.planeOf[i] = static_cast<int>(result.planes.size());
+            if (support) supportOf[i] = count;
         }
-        if (support) result.planes.push_back(best);
+        if (support) ++count;
     }
-    return result;
+    return supportOf;
 }
 
 }  // namespace core
