@@ -92,7 +92,7 @@ void Renderer::Impl::setScene(const core::Scene& scene, std::shared_ptr<const co
     CORE_ASSERT(scene.photo && analysis && analysis->front && analysis->back, "a photo and its surfaces");
     context.geometry.requireFits(static_cast<std::uint32_t>(scene.photo->color.width()),
                                  static_cast<std::uint32_t>(scene.photo->color.height()));
-    ShadedScene next = shadeScene(scene, std::move(analysis), shaded);
+    ShadedScene next = shadeScene(core::visibleScene(scene), std::move(analysis), shaded);
     requireFits(next);
     const bool otherLight = !shaded.analysis || next.analysis->environment != shaded.analysis->environment;
     if (otherLight || next.layers() != shaded.layers()) segments.clear();

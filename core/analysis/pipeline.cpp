@@ -60,8 +60,9 @@ AnalysisPipeline::~AnalysisPipeline() = default;
 
 const AnalysisPipeline::RunCounts& AnalysisPipeline::runCounts() const { return cache_->runs; }
 
-std::shared_ptr<const Analysis> AnalysisPipeline::run(const Scene& scene, const Progress& progress,
+std::shared_ptr<const Analysis> AnalysisPipeline::run(const Scene& whole, const Progress& progress,
                                                       AnalysisKernels& kernels) {
+    const Scene scene = visibleScene(whole);
     if (!scene.photo || scene.photo->color.empty())
         throw Error(ErrorKind::Input,
                     Message("messages", "There is no photograph to analyse. Load a colour picture with depth first."));
@@ -72,7 +73,7 @@ std::shared_ptr<const Analysis> AnalysisPipeline::run(const Scene& scene, const 
     cache.setInput(Item::Photo, scene.photo, [](Hash& hash, const Photo& photo) {
         const Camera& c = photo.camera;
         hash.add(c.width).add(c.height).add(c.fx).add(c.fy).add(c.cx).add(c.cy);
-        hash.add(photo.color).add(photo.depth).add(photo.labels).add(photo.depthSampleSpacing).add(photo.clipLevel);
+        hash.add(photo.color.image()).add(photo.depth.image()).add(photo.labels).add(photo.depthSampleSpacing).add(photo.clipLevel);
     });
     cache.setInput(Item::UserBackDepth, scene.backDepth, addImage);
     cache.setInput(Item::UserEnvironment, scene.environment.image, addImage);

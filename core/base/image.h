@@ -38,8 +38,8 @@ class Image {
     [[nodiscard]] bool empty() const { return pixels_.empty(); }
     [[nodiscard]] std::size_t size() const { return pixels_.size(); }
     [[nodiscard]] bool contains(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
-    template <class U>
-    [[nodiscard]] bool sameSize(const Image<U>& other) const {
+    template <class Other>
+    [[nodiscard]] bool sameSize(const Other& other) const {
         return width_ == other.width() && height_ == other.height();
     }
 

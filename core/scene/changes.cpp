@@ -40,10 +40,14 @@ std::optional<Material> withoutWeights(const std::optional<Material>& material) 
 }
 
 bool anyTranslucent(const Scene& scene) {
-    return std::ranges::any_of(scene.segments, [](const Segment& s) { return s.edit && s.edit->translucency; });
+    return std::ranges::any_of(scene.segments, [](const Segment& s) { return s.visible && s.edit && s.edit->translucency; });
 }
 
-bool followsLuminance(const Segment& segment) { return segment.edit && drivenByLuminance(*segment.edit); }
+bool followsLuminance(const std::optional<Material>& edit) { return edit && drivenByLuminance(*edit); }
+
+std::optional<Material> appliedEdit(const Segment& segment) {
+    return segment.visible ? segment.edit : std::nullopt;
+}
 
 void touchSegments(const Scene& before, const Scene& after, FirstStage& first) {
     first.touch(before.segments.size() != after.segments.size(), Stage::BackSide);
@@ -55,9 +59,10 @@ void touchSegments(const Scene& before, const Scene& after, FirstStage& first) {
         const Segment& b = after.segments[i];
         first.touch(segmentParams(), a, b);
         first.touch(a.label != b.label, Stage::BackSide);
-        first.touch(followsLuminance(a) != followsLuminance(b), Stage::Environment);
-        first.touch(withoutWeights(a.edit) != withoutWeights(b.edit), transport);
-        first.touch(a.edit != b.edit, Stage::Composite);
+        const std::optional<Material> old = appliedEdit(a), applied = appliedEdit(b);
+        first.touch(followsLuminance(old) != followsLuminance(applied), Stage::Environment);
+        first.touch(withoutWeights(old) != withoutWeights(applied), transport);
+        first.touch(old != applied, Stage::Composite);
     }
 }
 

@@ -49,11 +49,13 @@ class Document {
         std::uint64_t state = 0;
     };
     void replace(Scene scene, std::uint64_t state);
+    /// Drops the first steps when there are too many or they hold too much memory.
+    void forgetOldSteps();
 
     Scene scene_;
     std::string path_;
     std::uint64_t revision_ = 1;
-    std::uint64_t state_ = 1;  ///< identifies the scene's content across undo and redo
+    std::uint64_t state_ = 1;  ///< identifies what is saved of the scene across undo and redo
     std::uint64_t savedState_ = 1;
     std::uint64_t lastState_ = 1;
     std::vector<Step> undo_;

@@ -120,9 +120,17 @@ const Param<Owner>& findRow(std::span<const Param<Owner>> rows, std::string_view
     return *found;
 }
 
-std::vector<SegmentParam> glossyParams() {
+std::vector<SegmentParam> flagParams() {
     using enum Stage;
     return {
+        at<&Segment::visible>({.key = "visible",
+                               .label = PARAM_LABEL("scene", "Visible"),
+                               .help = PARAM_LABEL("scene", "Show the segment with its new material"),
+                               .stage = Display}),
+        at<&Segment::locked>({.key = "locked",
+                              .label = PARAM_LABEL("scene", "Locked"),
+                              .help = PARAM_LABEL("scene", "Protect the segment's pixels from being changed"),
+                              .stage = Display}),
         at<&Segment::glossy>({.key = "glossy",
                               .label = PARAM_LABEL("scene", "Glossy"),
                               .help = PARAM_LABEL("scene", "Treat the segment's colours as reflections"),
@@ -377,7 +385,7 @@ std::vector<SceneParam> renderParams() {
 }  // namespace
 
 std::span<const SegmentParam> segmentParams() {
-    static const auto kRows = joined<SegmentParam>({glossyParams(), backSideParams(), estimatedParams()});
+    static const auto kRows = joined<SegmentParam>({flagParams(), backSideParams(), estimatedParams()});
     return kRows;
 }
 

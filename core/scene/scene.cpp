@@ -25,6 +25,13 @@ Segment* Scene::findSegment(const std::string& labelOrName) {
     return byLabel == segments.end() ? nullptr : &*byLabel;
 }
 
+Scene visibleScene(const Scene& scene) {
+    Scene result = scene;
+    for (Segment& segment : result.segments)
+        if (!segment.visible) segment.edit.reset();
+    return result;
+}
+
 void addMissingSegments(Scene& scene) {
     if (!scene.photo) return;
     LabelTable<char> present;

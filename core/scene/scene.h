@@ -10,6 +10,8 @@
 
 #include "core/base/camera.h"
 #include "core/base/image.h"
+#include "core/base/pixel.h"
+#include "core/base/shared_image.h"
 #include "core/base/words.h"
 #include "core/material/material.h"
 #include "shaders/shared/param_info.h"
@@ -37,13 +39,14 @@ struct PhotoSource {
     bool operator==(const PhotoSource&) const = default;
 };
 
-/// The input photograph, immutable once loaded. All images have the camera's size.
+/// The input photograph, immutable once loaded. All images have the camera's size. A copy with other labels shares
+/// colour and depth.
 struct Photo {
     PhotoSource source;
     Camera camera;
-    ImageRgb color;     ///< scene-linear, finite and ≥ 0
-    ImageF depth;       ///< planar z [m]; 0 = no valid depth (distant)
-    LabelImage labels;  ///< 0 = no segment
+    SharedImage<Vector3f> color;  ///< scene-linear Rec.709, finite and ≥ 0
+    SharedImage<float> depth;     ///< planar z [m]; 0 = no valid depth (distant)
+    LabelImage labels;            ///< 0 = no segment
     /// Photograph pixels per pixel of the stored depth map, ≥ 1; more than 1 when a smaller map was enlarged: its noise
     /// is smooth over that many pixels.
     float depthSampleSpacing = 1;
@@ -85,6 +88,8 @@ struct BackSideParams {
 struct Segment {
     std::uint16_t label = 0;  ///< value in the label image, > 0
     std::string name;         ///< unique, never empty
+    bool visible = true;      ///< false: its edit is kept, but not applied
+    bool locked = false;      ///< its pixels cannot be changed
     bool glossy = false;      ///< its colours are reflections of the surroundings
     BackSideParams backSide;
     std::optional<Vector3f> reflectance;  ///< replaces the estimated ρ
@@ -166,6 +171,15 @@ struct RenderParams {
     bool operator==(const RenderParams&) const = default;
 };
 
+/// Pixels chosen in the picture, from which segments are made. Not saved.
+struct PixelSelection {
+    Image<std::uint8_t> mask;  ///< of the photograph's size, 1 = selected
+    // How it was found, if by pointing: `base` and the object under the seeds. Empty otherwise.
+    std::shared_ptr<const Image<std::uint8_t>> base;  ///< selection before the first seed; nullptr = nothing
+    std::vector<Pixel> add;                           ///< seeds on the object
+    std::vector<Pixel> remove;                        ///< seeds beside it
+};
+
 /// Everything the user can edit, a value: copying is cheap, images are shared and immutable.
 struct Scene {
     std::shared_ptr<const Photo> photo;
@@ -175,6 +189,7 @@ struct Scene {
     std::string backDepthPath;                ///< "" = invented by each segment's method
     std::shared_ptr<const ImageF> backDepth;  ///< planar z [m], replaces the invented back side; 0 = none
     RenderParams render;
+    std::shared_ptr<const PixelSelection> selection;  ///< nullptr = nothing is selected
 
     [[nodiscard]] const Segment* findSegment(std::uint16_t label) const;
     [[nodiscard]] Segment* findSegment(std::uint16_t label);
@@ -184,6 +199,9 @@ struct Scene {
     /// Same values and the same (not only equal) images.
     bool operator==(const Scene&) const = default;
 };
+
+/// The scene without the edits of segments that are not visible: what is analysed and rendered.
+[[nodiscard]] Scene visibleScene(const Scene& scene);
 
 /// One segment per label in `labels` that has no segment yet (named "segment 7"), sorted by label.
 void addMissingSegments(Scene& scene);

@@ -39,7 +39,7 @@ struct ReferenceRenderer::Path {
 
 ReferenceRenderer::ReferenceRenderer(const Scene& scene, std::shared_ptr<const Analysis> analysis,
                                      LightSampling lightSampling)
-    : scene_(scene),
+    : scene_(visibleScene(scene)),
       analysis_(std::move(analysis)),
       layers_(analysis_->layers ? analysis_->layers
                                 : std::make_shared<DepthLayers>(buildDepthLayers(
