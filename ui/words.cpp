@@ -13,6 +13,8 @@ QString taskName(core::Task task) {
             return say(QT_TRANSLATE_NOOP("tasks", "Working"));
         case core::Task::LoadPhoto:
             return say(QT_TRANSLATE_NOOP("tasks", "Loading the photograph"));
+        case core::Task::FindRegions:
+            return say(QT_TRANSLATE_NOOP("tasks", "Finding regions to select"));
         case core::Task::RecoverDepth:
             return say(QT_TRANSLATE_NOOP("tasks", "Recovering depth"));
         case core::Task::ComputeNormals:

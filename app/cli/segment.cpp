@@ -59,7 +59,7 @@ void segment(const SegmentArguments& args) {
     refuseOverwritingInput(scene, args.project, args.output);
     core::requireWritable(args.output);
     const core::Photo& photo = *scene.photo;
-    const core::Progress progress = printedProgress();
+    const core::Progress progress = printedProgress().of(core::Task::FindRegions);
     const core::Selector selector({photo.color, photo.depth, photo.camera, photo.depthSampleSpacing},
                                   progress.part(0, 0.9f));
     if (args.propose) {

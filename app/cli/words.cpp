@@ -9,6 +9,8 @@ const char* taskName(core::Task task) {
             return "Working";
         case core::Task::LoadPhoto:
             return "Loading the photograph";
+        case core::Task::FindRegions:
+            return "Finding regions to select";
         case core::Task::RecoverDepth:
             return "Recovering depth";
         case core::Task::ComputeNormals:

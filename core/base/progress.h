@@ -14,6 +14,7 @@ namespace core {
 enum class Task {
     Working,
     LoadPhoto,
+    FindRegions,
     RecoverDepth,
     ComputeNormals,
     InventBackSides,

@@ -40,14 +40,13 @@ std::optional<Material> withoutWeights(const std::optional<Material>& material) 
 }
 
 bool anyTranslucent(const Scene& scene) {
-    return std::ranges::any_of(scene.segments, [](const Segment& s) { return s.visible && s.edit && s.edit->translucency; });
+    return std::ranges::any_of(scene.segments,
+                               [](const Segment& s) { return s.visible && s.edit && s.edit->translucency; });
 }
 
 bool followsLuminance(const std::optional<Material>& edit) { return edit && drivenByLuminance(*edit); }
 
-std::optional<Material> appliedEdit(const Segment& segment) {
-    return segment.visible ? segment.edit : std::nullopt;
-}
+std::optional<Material> appliedEdit(const Segment& segment) { return segment.visible ? segment.edit : std::nullopt; }
 
 void touchSegments(const Scene& before, const Scene& after, FirstStage& first) {
     first.touch(before.segments.size() != after.segments.size(), Stage::BackSide);

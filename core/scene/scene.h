@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/binary_mask.h"
 #include "core/base/camera.h"
 #include "core/base/image.h"
 #include "core/base/pixel.h"
@@ -173,11 +174,11 @@ struct RenderParams {
 
 /// Pixels chosen in the picture, from which segments are made. Not saved.
 struct PixelSelection {
-    Image<std::uint8_t> mask;  ///< of the photograph's size, 1 = selected
+    BinaryMask mask;  ///< of the photograph's size
     // How it was found, if by pointing: `base` and the object under the seeds. Empty otherwise.
-    std::shared_ptr<const Image<std::uint8_t>> base;  ///< selection before the first seed; nullptr = nothing
-    std::vector<Pixel> add;                           ///< seeds on the object
-    std::vector<Pixel> remove;                        ///< seeds beside it
+    std::shared_ptr<const BinaryMask> base;  ///< selection before the first seed; nullptr = nothing
+    std::vector<Pixel> add;                  ///< seeds on the object
+    std::vector<Pixel> remove;               ///< seeds beside it
 };
 
 /// Everything the user can edit, a value: copying is cheap, images are shared and immutable.

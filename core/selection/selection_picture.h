@@ -4,14 +4,12 @@
 #include <array>
 #include <cstdint>
 
+#include "core/base/binary_mask.h"
 #include "core/base/camera.h"
 #include "core/base/image.h"
 #include "core/base/progress.h"
 
 namespace core {
-
-/// A selection: 1 = selected, 0 = not.
-using BinaryMask = Image<std::uint8_t>;
 
 /// A photograph to select in. Only referred to while a Selector is being built.
 struct SelectionInput {
