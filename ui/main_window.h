@@ -27,6 +27,7 @@ class MaskPainter;
 class NewPhotoDialog;
 class NoticeButton;
 class SubstanceRuler;
+class ToolBox;
 
 struct WindowOptions {
     bool canvas = true;  ///< false: no Vulkan is touched (tests of everything else)
@@ -42,6 +43,7 @@ class MainWindow : public QMainWindow {
 
     [[nodiscard]] Workspace& workspace() { return workspace_; }
     [[nodiscard]] Canvas& canvas() { return *canvas_; }
+    [[nodiscard]] ToolBox& toolBox() { return *toolBox_; }
     /// Whether everything the window shows is up to date: analysis, accumulation, no file operation running.
     [[nodiscard]] bool settled() const;
     /// Whether a file is being read or written.
@@ -72,6 +74,7 @@ class MainWindow : public QMainWindow {
     void makeActions();
     void makeFileMenu();
     void makeEditMenu();
+    void makeSelectMenu();
     void makeViewMenu();
     void makeHelpMenu();
     void makeToolBar();
@@ -136,6 +139,7 @@ class MainWindow : public QMainWindow {
     Canvas* canvas_ = nullptr;
     MaskPainter* painter_ = nullptr;
     SubstanceRuler* ruler_ = nullptr;
+    ToolBox* toolBox_ = nullptr;
     std::unique_ptr<BackgroundTask> task_;
     std::unique_ptr<BackgroundTask> layerTask_;
     QProgressDialog* progressDialog_ = nullptr;

@@ -177,7 +177,7 @@ void enlargeDepth(Photo& photo, const std::string& path, Notes* notes, const Pro
     if (width == camera.width && height == camera.height) return;
     note(notes, Message("messages", "The depth in \"%1\" (%2) is enlarged to the colour image (%3).")
                     .with(path, sizeText(width, height), sizeText(camera.width, camera.height)));
-    photo.depth = upsampleDepth(photo.depth, camera.width, camera.height, &photo.color, progress);
+    photo.depth = upsampleDepth(photo.depth, camera.width, camera.height, &photo.color.image(), progress);
     photo.depthSampleSpacing = std::max({1.0f, static_cast<float>(camera.width) / static_cast<float>(width),
                                          static_cast<float>(camera.height) / static_cast<float>(height)});
 }
