@@ -17,12 +17,6 @@ bool anySelected(const core::BinaryMask& mask) {
     return std::ranges::any_of(mask.pixels(), [](std::uint8_t value) { return value != 0; });
 }
 
-core::BinaryMask maskOfSegment(const core::LabelImage& labels, std::uint16_t label) {
-    core::BinaryMask mask(labels.width(), labels.height());
-    for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = labels[i] == label ? 1 : 0;
-    return mask;
-}
-
 }  // namespace
 
 SelectionSession::SelectionSession(Workspace& workspace, Canvas& canvas, QObject* parent)
@@ -125,18 +119,16 @@ void SelectionSession::selectAll() {
     replace(tr("Select all"), std::move(all));
 }
 
-void SelectionSession::putIntoSegment(const QString& step, const core::BinaryMask& mask,
-                                      const std::string& labelOrName) {
+void SelectionSession::changeScene(const QString& step, const SceneChange& change, const std::string& segment) {
     try {
         core::Notes notes;
-        core::Scene changed = core::withSegment(workspace_.scene(), mask, labelOrName, &notes);
+        core::Scene changed = change(workspace_.scene(), &notes);
         changed.selection.reset();
-        const core::Segment* segment = changed.findSegment(labelOrName);
-        const std::uint16_t label = segment != nullptr ? segment->label : std::uint16_t{0};
-        workspace_.editScene(step, [&](core::Scene& scene) { scene = changed; });
+        const core::Segment* current = changed.findSegment(segment);
+        const std::uint16_t label = current != nullptr ? current->label : std::uint16_t{0};
+        workspace_.editScene(step, [&](core::Scene& scene) { scene = std::move(changed); });
         workspace_.select(label);
-        const QStringList said = translatedEach(notes);
-        if (!said.isEmpty()) emit message(said.join(QLatin1Char(' ')));
+        if (!notes.empty()) emit message(translatedEach(notes).join(QLatin1Char(' ')));
     } catch (const core::Error& problem) {
         emit error(translated(problem));
     }
@@ -154,22 +146,25 @@ void SelectionSession::makeSegment() {
                                    [&](const core::Segment& segment) { return segment.name == name(); });
     };
     while (taken()) ++number;
-    putIntoSegment(tr("New segment"), selected(), name());
+    changeScene(
+        tr("New segment"),
+        [&](const core::Scene& scene, core::Notes* notes) { return core::withSegment(scene, selected(), name(), notes); },
+        name());
 }
 
 void SelectionSession::changeSegment(core::MaskUse use) {
     const core::Segment* segment = workspace_.selectedSegment();
     if (segment == nullptr || selection() == nullptr) return;
-    const core::BinaryMask mask = core::combineMasks(maskOfSegment(photo()->labels, segment->label), selected(), use);
     const QString name = QString::fromStdString(segment->name);
-    if (!anySelected(mask)) {
-        emit error(tr("Nothing of the segment \"%1\" would be left.").arg(name));
-        return;
-    }
     const QString step = use == core::MaskUse::Add        ? tr("Add to %1").arg(name)
                          : use == core::MaskUse::TakeFrom ? tr("Take from %1").arg(name)
                                                           : tr("Intersect with %1").arg(name);
-    putIntoSegment(step, mask, segment->name);
+    changeScene(
+        step,
+        [&, label = segment->label](const core::Scene& scene, core::Notes* notes) {
+            return core::combineSegment(scene, label, selected(), use, notes);
+        },
+        segment->name);
 }
 
 void SelectionSession::findObjects() {

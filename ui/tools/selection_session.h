@@ -69,7 +69,9 @@ class SelectionSession : public QObject {
   private:
     void followScene();
     void followDocument();
-    void putIntoSegment(const QString& step, const core::BinaryMask& mask, const std::string& labelOrName);
+    using SceneChange = std::function<core::Scene(const core::Scene&, core::Notes*)>;
+    /// One undo step after which nothing is selected and `segment` is current.
+    void changeScene(const QString& step, const SceneChange& change, const std::string& segment);
 
     Workspace& workspace_;
     Canvas& canvas_;
