@@ -315,7 +315,7 @@ void SegmentActions::start(std::function<void()> work, const std::function<void(
 
 void SegmentActions::importFiles(const QStringList& paths) {
     if (!workspace_.hasPhoto() || paths.isEmpty()) return;
-    if (working()) return emit message(tr("Please wait until the last files have been read."));
+    if (working()) return emit message(tr("Please wait until the last file has been read or written."));
     struct Maps {
         std::vector<std::pair<std::string, core::LabelImage>> named;
         core::Notes notes;
@@ -343,7 +343,7 @@ void SegmentActions::importFiles(const QStringList& paths) {
 
 void SegmentActions::exportMask(const QString& path) {
     if (chosen_.empty()) return;
-    if (working()) return emit message(tr("Please wait until the last files have been read."));
+    if (working()) return emit message(tr("Please wait until the last file has been read or written."));
     start(
         [photo = workspace_.scene().photo, chosen = chosen_, path] {
             const core::BinaryMask mask = core::maskOfSegments(photo->labels, chosen);
