@@ -73,8 +73,8 @@ void SegmentActions::makeActions() {
     glossy_ = add("segmentGlossy", "", tr("Glossy"), {}, &A::toggleGlossy);
     glossy_->setCheckable(true);
     glossy_->setToolTip(tr("Treat the segment's colours as reflections (Space)"));
-    visible_ = add("segmentVisible", icons::kShown, tr("Hide"), {}, &A::toggleVisible);
-    locked_ = add("segmentLocked", icons::kLocked, tr("Lock"), {}, &A::toggleLocked);
+    visible_ = add("segmentVisible", icons::kHidden, {}, {}, &A::toggleVisible);
+    locked_ = add("segmentLocked", icons::kLocked, {}, {}, &A::toggleLocked);
     all_ << nullptr;
     import_ = add("segmentImport", icons::kImport, tr("Import mask or label map…"), {}, &A::chooseImport);
     exportMask_ = add("segmentExportMask", icons::kExport, tr("Export mask…"), {}, &A::chooseMaskFile);
@@ -131,14 +131,20 @@ void SegmentActions::updateTexts(const std::vector<const core::Segment*>& segmen
     const bool hidden = any && std::ranges::none_of(segments, &core::Segment::visible);
     const bool locked = any && std::ranges::all_of(segments, &core::Segment::locked);
     glossy_->setChecked(any && std::ranges::all_of(segments, &core::Segment::glossy));
-    visible_->setText(hidden ? tr("Show") : tr("Hide"));
-    visible_->setIcon(lineIcon(hidden ? icons::kShown : icons::kHidden));
-    visible_->setToolTip(hidden ? tr("Show the new material again")
-                                : tr("Show the segment as photographed, and keep its material"));
-    locked_->setText(locked ? tr("Unlock") : tr("Lock"));
-    locked_->setIcon(lineIcon(locked ? icons::kUnlocked : icons::kLocked));
-    locked_->setToolTip(locked ? tr("Let the segment's pixels change again")
-                               : tr("Protect the segment's pixels from every change"));
+    const auto show = [](QAction& action, const QString& text, const char* icon, const QString& toolTip) {
+        if (action.text() == text) return;
+        action.setText(text);
+        action.setIcon(lineIcon(icon));
+        action.setToolTip(toolTip);
+    };
+    if (hidden)
+        show(*visible_, tr("Show"), icons::kShown, tr("Show the new material again"));
+    else
+        show(*visible_, tr("Hide"), icons::kHidden, tr("Show the segment as photographed, and keep its material"));
+    if (locked)
+        show(*locked_, tr("Unlock"), icons::kUnlocked, tr("Let the segment's pixels change again"));
+    else
+        show(*locked_, tr("Lock"), icons::kLocked, tr("Protect the segment's pixels from every change"));
     if (duplicate_->isEnabled())
         duplicate_->setToolTip(tr("Make a segment of the selected pixels, with everything else as in \"%1\" (Ctrl+J)")
                                    .arg(nameOf(chosen_.front())));

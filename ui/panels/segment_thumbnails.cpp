@@ -72,12 +72,12 @@ QImage segmentThumbnail(const core::Photo& photo, std::uint16_t label, const cor
     return image;
 }
 
-QPixmap SegmentThumbnails::find(const core::Photo& photo, std::uint16_t label, const core::SegmentExtent& extent,
-                                double devicePixelRatio) {
+QIcon SegmentThumbnails::find(const core::Photo& photo, std::uint16_t label, const core::SegmentExtent& extent,
+                              double devicePixelRatio) {
     if (!color_.shares(photo.color)) entries_.clear();
     color_ = photo.color;
     const Entry* known = entries_.object(label);
-    if (known != nullptr && known->hash == extent.hash && known->ratio == devicePixelRatio) return known->pixmap;
+    if (known != nullptr && known->hash == extent.hash && known->ratio == devicePixelRatio) return known->icon;
     const auto scaled = [&](int length) { return static_cast<int>(std::lround(length * devicePixelRatio)); };
     const QImage picture = segmentThumbnail(photo, label, extent, {scaled(kWidth), scaled(kHeight)});
     QPixmap pixmap(scaled(kSwatchWidth + kWidth), scaled(kHeight));
@@ -89,8 +89,10 @@ QPixmap SegmentThumbnails::find(const core::Photo& photo, std::uint16_t label, c
     painter.drawImage(scaled(kSwatchWidth), 0, picture);
     painter.end();
     pixmap.setDevicePixelRatio(devicePixelRatio);
-    entries_.insert(label, new Entry{extent.hash, devicePixelRatio, pixmap});
-    return pixmap;
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected);
+    entries_.insert(label, new Entry{extent.hash, devicePixelRatio, icon});
+    return icon;
 }
 
 }  // namespace ui

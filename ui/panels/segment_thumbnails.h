@@ -2,8 +2,8 @@
 #pragma once
 
 #include <QCache>
+#include <QIcon>
 #include <QImage>
-#include <QPixmap>
 #include <cstdint>
 
 #include "core/scene/scene.h"
@@ -22,14 +22,15 @@ class SegmentThumbnails {
     static constexpr int kWidth = 40, kHeight = 30;  ///< in logical pixels, without the swatch
     static constexpr int kSwatchWidth = 5;           ///< bar of the segment's colour to the left
 
-    [[nodiscard]] QPixmap find(const core::Photo& photo, std::uint16_t label, const core::SegmentExtent& extent,
-                               double devicePixelRatio);
+    /// The same picture in selected rows.
+    [[nodiscard]] QIcon find(const core::Photo& photo, std::uint16_t label, const core::SegmentExtent& extent,
+                             double devicePixelRatio);
 
   private:
     struct Entry {
         std::uint64_t hash = 0;
         double ratio = 1;
-        QPixmap pixmap;
+        QIcon icon;
     };
     core::SharedImage<core::Vector3f> color_;  ///< of the photograph that they show
     QCache<std::uint16_t, Entry> entries_{1000};
