@@ -70,7 +70,7 @@ void SegmentActions::makeActions() {
     selectPixels_ = add("segmentSelectPixels", icons::kSelectPixels, tr("Select pixels"), {}, &A::selectPixels);
     selectEdited_ = add("segmentSelectEdited", icons::kSelectEdited, tr("Select all edited"), {}, &A::selectEdited);
     all_ << nullptr;
-    glossy_ = add("segmentGlossy", "", tr("Glossy"), {}, &A::toggleGlossy);
+    glossy_ = add("segmentGlossy", icons::kGlossy, tr("Glossy"), {}, &A::toggleGlossy);
     glossy_->setCheckable(true);
     glossy_->setToolTip(tr("Treat the segment's colours as reflections (Space)"));
     visible_ = add("segmentVisible", icons::kHidden, {}, {}, &A::toggleVisible);

@@ -50,7 +50,7 @@ SegmentsPanel::SegmentsPanel(Workspace& workspace, QWidget* parent) : Panel(work
 
 void SegmentsPanel::makeButtons(QBoxLayout& layout) {
     for (QAction* action : actions_->all()) {
-        if (action == nullptr || action->icon().isNull()) continue;
+        if (action == nullptr) continue;
         auto* button = new QToolButton(this);
         button->setObjectName(action->objectName() + QStringLiteral("Button"));
         button->setDefaultAction(action);
