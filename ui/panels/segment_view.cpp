@@ -27,17 +27,14 @@ class SegmentDelegate : public QStyledItemDelegate {
         const QStyle* style = option.widget != nullptr ? option.widget->style() : QApplication::style();
         style->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, painter, option.widget);
         const bool on = index.data(Qt::CheckStateRole).toInt() == Qt::Checked;
-        if (index.column() == SegmentModel::kGlossy) return paintCheck(painter, option, *style, on);
-        const bool eye = index.column() == SegmentModel::kVisible;
-        const char* icon = eye ? (on ? icons::kShown : icons::kHidden) : (on ? icons::kLocked : icons::kUnlocked);
-        constexpr float kFaint = 0.3f;
+        constexpr float kFaint = 0.4f;
         QColor color = option.palette.color(option.state.testFlag(QStyle::State_Selected) ? QPalette::HighlightedText
                                                                                           : QPalette::Text);
         if (!on) color.setAlphaF(kFaint);
         constexpr int kSide = 16;
         QRectF place(0, 0, kSide, kSide);
         place.moveCenter(QRectF(option.rect).center());
-        paintLineIcon(*painter, icon, place, color);
+        paintLineIcon(*painter, switchIcon(index.column(), on), place, color);
     }
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
         constexpr int kRowMargin = 4;
@@ -54,15 +51,10 @@ class SegmentDelegate : public QStyledItemDelegate {
     }
 
   private:
-    static void paintCheck(QPainter* painter, const QStyleOptionViewItem& option, const QStyle& style, bool on) {
-        QStyleOptionViewItem box = option;
-        box.rect = QRect(QPoint(), QSize(style.pixelMetric(QStyle::PM_IndicatorWidth, &option, option.widget),
-                                         style.pixelMetric(QStyle::PM_IndicatorHeight, &option, option.widget)));
-        box.rect.moveCenter(option.rect.center());
-        box.state.setFlag(QStyle::State_On, on);
-        box.state.setFlag(QStyle::State_Off, !on);
-        box.state.setFlag(QStyle::State_HasFocus, false);
-        style.drawPrimitive(QStyle::PE_IndicatorItemViewItemCheck, &box, painter, option.widget);
+    static const char* switchIcon(int column, bool on) {
+        if (column == SegmentModel::kGlossy) return on ? icons::kChecked : icons::kUnchecked;
+        if (column == SegmentModel::kVisible) return on ? icons::kShown : icons::kHidden;
+        return on ? icons::kLocked : icons::kUnlocked;
     }
 };
 
@@ -95,7 +87,7 @@ void SegmentView::sizeColumns() {
     for (int column = 0; column < SegmentModel::kColumnCount; ++column)
         header()->setSectionResizeMode(column,
                                        column == SegmentModel::kName ? QHeaderView::Stretch : QHeaderView::Fixed);
-    constexpr int kPadding = 12, kPictogram = 26;
+    constexpr int kPadding = 10, kPictogram = 24;
     const auto textWidth = [this](const QString& text) { return fontMetrics().horizontalAdvance(text) + kPadding; };
     for (const int column : {SegmentModel::kVisible, SegmentModel::kLocked, SegmentModel::kEdited})
         header()->resizeSection(column, kPictogram);

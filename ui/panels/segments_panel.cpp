@@ -29,6 +29,7 @@ SegmentsPanel::SegmentsPanel(Workspace& workspace, QWidget* parent) : Panel(work
     hint_->setObjectName(QStringLiteral("segmentHint"));
     hint_->setWordWrap(true);
     hint_->setTextFormat(Qt::PlainText);
+    hint_->setContentsMargins(0, 2, 0, 2);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);

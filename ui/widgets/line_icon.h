@@ -25,6 +25,8 @@ inline constexpr const char* kSelectPixels =
     "13.5 M 9 13.5 L 7 13.5 M 5 13.5 L 2.5 13.5 L 2.5 11 M 2.5 9 L 2.5 7";
 inline constexpr const char* kSelectEdited = "O 4 4 1.5 M 8 4 L 14 4 O 4 8 1.5 M 8 8 L 14 8 O 4 12 1.5 M 8 12 L 14 12";
 inline constexpr const char* kGlossy = "O 8 8 6 M 4.6 7.4 Q 4.8 4.8 7.4 4.6";
+inline constexpr const char* kChecked = "R 2.5 2.5 11 11 M 5 8 L 7.2 10.5 L 11 5.5";
+inline constexpr const char* kUnchecked = "R 2.5 2.5 11 11";
 inline constexpr const char* kLocked = "R 3.5 7.5 9 6 M 5.5 7.5 L 5.5 5 Q 5.5 2.5 8 2.5 Q 10.5 2.5 10.5 5 L 10.5 7.5";
 inline constexpr const char* kUnlocked = "R 3.5 7.5 9 6 M 5.5 7.5 L 5.5 5 Q 5.5 2.5 8 2.5 Q 10.2 2.5 10.5 4.5";
 inline constexpr const char* kShown = "M 1.5 8 Q 4 3.5 8 3.5 Q 12 3.5 14.5 8 Q 12 12.5 8 12.5 Q 4 12.5 1.5 8 O 8 8 2.2";
