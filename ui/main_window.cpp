@@ -189,6 +189,8 @@ void MainWindow::makeDocks() {
 void MainWindow::documentReplaced() {
     layerTask_.reset();
     worker_.cancel();
+    shownScene_ = {};
+    shownAnalysis_.reset();
     canvas_->setPhoto(workspace_.scene().photo);
     notices_->setNotices(QStringLiteral("analysis"), {});
     updateTitle();
@@ -204,9 +206,18 @@ void MainWindow::sceneChanged(core::Stage stage) {
         analysisStep_ = tr("Analysing");
         worker_.request(workspace_.generation(), workspace_.scene());
     } else if (!analysing_ && workspace_.analysis() != nullptr) {
-        canvas_->setScene(workspace_.scene(), workspace_.analysis());
+        showScene(workspace_.scene(), workspace_.analysis());
     }
     updateProgress();
+}
+
+void MainWindow::showScene(const core::Scene& scene, const std::shared_ptr<const core::Analysis>& analysis) {
+    core::Scene next = core::visibleScene(scene);
+    next.selection.reset();
+    if (next == shownScene_ && analysis == shownAnalysis_) return;
+    shownScene_ = next;
+    shownAnalysis_ = analysis;
+    canvas_->setScene(next, analysis);
 }
 
 void MainWindow::analysisFinished(const std::shared_ptr<const AnalysisResult>& result) {
@@ -214,7 +225,7 @@ void MainWindow::analysisFinished(const std::shared_ptr<const AnalysisResult>& r
     const bool current = result->generation >= workspace_.analysisGeneration();
     if (current) analysing_ = false;
     workspace_.setAnalysis(result->analysis);
-    canvas_->setScene(current ? workspace_.scene() : result->scene, result->analysis);
+    showScene(current ? workspace_.scene() : result->scene, result->analysis);
     refreshLayerPicture();
     updateProgress();
     if (!current) return;
@@ -378,7 +389,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         workspace_.pickPixel(nullptr);
         return;
     }
-    if (canvas_->hasFocus() && toolBox_->pressKey(*event)) return;
+    if (focusWidget() == canvas_ && toolBox_->pressKey(*event)) return;
     QMainWindow::keyPressEvent(event);
 }
 
