@@ -1151,14 +1151,6 @@
         <translation>Das Projekt hat schon %1 Segmente, keine Nummer ist frei.</translation>
     </message>
     <message>
-        <source>The selection covers all of the segment &quot;%1&quot;, which is edited.</source>
-        <translation>Die Auswahl verdeckt das ganze Segment „%1“, das bearbeitet ist.</translation>
-    </message>
-    <message>
-        <source>The segment &quot;%1&quot; is gone: the selection covers all of it.</source>
-        <translation>Das Segment „%1“ ist entfallen: Die Auswahl verdeckt es ganz.</translation>
-    </message>
-    <message>
         <source>Nothing is selected, so there is no segment to make.</source>
         <translation>Nichts ist ausgewählt, also entsteht kein Segment.</translation>
     </message>
@@ -1177,6 +1169,78 @@
     <message>
         <source>The depth map has no valid pixel: all of its %1 values are zero or not finite, but at least one positive depth is needed. Load a depth map that belongs to the photograph, or check its unit and kind.</source>
         <translation>Die Tiefenkarte hat kein gültiges Pixel: Alle %1 Werte sind null oder nicht endlich, aber mindestens eine positive Tiefe wird gebraucht. Laden Sie eine Tiefenkarte, die zum Foto gehört, oder prüfen Sie ihre Einheit und Art.</translation>
+    </message>
+    <message>
+        <source>This needs %1 new segments, but only %2 labels are free.</source>
+        <translation>Dafür sind %1 neue Segmente nötig, aber nur %2 Nummern sind frei.</translation>
+    </message>
+    <message>
+        <source>There is no segment with the label %1.</source>
+        <translation>Es gibt kein Segment mit der Nummer %1.</translation>
+    </message>
+    <message>
+        <source>The segment &quot;%1&quot; is locked. Unlock it to change its pixels.</source>
+        <translation>Das Segment „%1“ ist gesperrt. Entsperren Sie es, um seine Pixel zu ändern.</translation>
+    </message>
+    <message>
+        <source>The segment &quot;%1&quot; is locked and stays as it is.</source>
+        <translation>Das Segment „%1“ ist gesperrt und bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>%1 segments are locked and stay as they are.</source>
+        <translation>%1 Segmente sind gesperrt und bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The segment &quot;%1&quot; is locked and keeps its pixels.</source>
+        <translation>Das Segment „%1“ ist gesperrt und behält seine Pixel.</translation>
+    </message>
+    <message>
+        <source>%1 segments are locked and keep their pixels.</source>
+        <translation>%1 Segmente sind gesperrt und behalten ihre Pixel.</translation>
+    </message>
+    <message>
+        <source>The segment &quot;%1&quot; would lose all of its pixels, but it is edited. Lock it to keep it, or delete it.</source>
+        <translation>Das Segment „%1“ würde alle seine Pixel verlieren, ist aber bearbeitet. Sperren Sie es, um es zu behalten, oder löschen Sie es.</translation>
+    </message>
+    <message>
+        <source>The segment &quot;%1&quot; is gone, because it lost all of its pixels.</source>
+        <translation>Das Segment „%1“ gibt es nicht mehr, weil es alle seine Pixel verloren hat.</translation>
+    </message>
+    <message>
+        <source>%1 segments are gone, because they lost all of their pixels.</source>
+        <translation>%1 Segmente gibt es nicht mehr, weil sie alle ihre Pixel verloren haben.</translation>
+    </message>
+    <message>
+        <source>The selection and the segment &quot;%1&quot; have no pixel in common.</source>
+        <translation>Die Auswahl und das Segment „%1“ haben kein Pixel gemeinsam.</translation>
+    </message>
+    <message>
+        <source>Select at least two segments to merge them.</source>
+        <translation>Wählen Sie mindestens zwei Segmente aus, um sie zu vereinen.</translation>
+    </message>
+    <message>
+        <source>The material of &quot;%1&quot; is gone: &quot;%2&quot; keeps its own.</source>
+        <translation>Das Material von „%1“ ist entfallen: „%2“ behält das eigene.</translation>
+    </message>
+    <message>
+        <source>The materials of %1 segments are gone: &quot;%2&quot; keeps its own.</source>
+        <translation>Die Materialien von %1 Segmenten sind entfallen: „%2“ behält das eigene.</translation>
+    </message>
+    <message>
+        <source>The segment &quot;%1&quot; is in one piece.</source>
+        <translation>Das Segment „%1“ besteht aus einem Stück.</translation>
+    </message>
+    <message>
+        <source>No object was found that is not a segment already.</source>
+        <translation>Es wurde kein Objekt gefunden, das nicht schon ein Segment ist.</translation>
+    </message>
+    <message>
+        <source>No label is free for %1 of the objects.</source>
+        <translation>Für %1 der Objekte ist keine Nummer frei.</translation>
+    </message>
+    <message>
+        <source>There is no object in &quot;%1&quot;: all of it is 0.</source>
+        <translation>In „%1“ gibt es kein Objekt: alles ist 0.</translation>
     </message>
 </context>
 <context>
@@ -1653,6 +1717,22 @@
     <message>
         <source>Better dipole</source>
         <translation>Besserer Dipol</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Show the segment with its new material</source>
+        <translation>Das Segment mit seinem neuen Material zeigen</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Protect the segment&apos;s pixels from being changed</source>
+        <translation>Die Pixel des Segments vor Änderungen schützen</translation>
     </message>
 </context>
 <context>
@@ -3191,38 +3271,138 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     </message>
 </context>
 <context>
-    <name>ui::SegmentsPanel</name>
+    <name>ui::SegmentActions</name>
     <message>
-        <source>Segments</source>
-        <translation>Segmente</translation>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
     </message>
     <message>
-        <source>Segment</source>
-        <translation>Segment</translation>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>Vereinen</translation>
+    </message>
+    <message>
+        <source>Split into pieces</source>
+        <translation>In Stücke teilen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select pixels</source>
+        <translation>Pixel auswählen</translation>
+    </message>
+    <message>
+        <source>Select all edited</source>
+        <translation>Alle bearbeiteten auswählen</translation>
     </message>
     <message>
         <source>Glossy</source>
         <translation>Glänzend</translation>
     </message>
     <message>
-        <source>Edited</source>
-        <translation>Bearbeitet</translation>
+        <source>Treat the segment&apos;s colours as reflections (Space)</source>
+        <translation>Die Farben des Segments als Spiegelungen verstehen (Leertaste)</translation>
     </message>
     <message>
-        <source>No segments: open a project, or a photograph with a label map.</source>
-        <translation>Keine Segmente: Öffnen Sie ein Projekt oder ein Foto mit Segmentkarte.</translation>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
     </message>
     <message>
-        <source>Segment %1, label %2</source>
-        <translation>Segment %1, Nummer %2</translation>
+        <source>Lock</source>
+        <translation>Sperren</translation>
     </message>
     <message>
-        <source>Has a new material</source>
-        <translation>Hat ein neues Material</translation>
+        <source>Import mask or label map…</source>
+        <translation>Maske oder Segmentkarte importieren…</translation>
     </message>
     <message>
-        <source>Unchanged</source>
-        <translation>Unverändert</translation>
+        <source>Export mask…</source>
+        <translation>Maske exportieren…</translation>
+    </message>
+    <message>
+        <source>Give the segment another name (F2)</source>
+        <translation>Dem Segment einen anderen Namen geben (F2)</translation>
+    </message>
+    <message>
+        <source>Delete the segments; their pixels belong to none (Del)</source>
+        <translation>Die Segmente löschen; ihre Pixel gehören dann zu keinem (Entf)</translation>
+    </message>
+    <message>
+        <source>Select all segments that have a new material</source>
+        <translation>Alle Segmente auswählen, die ein neues Material haben</translation>
+    </message>
+    <message>
+        <source>Select the segments&apos; pixels in the picture</source>
+        <translation>Die Pixel der Segmente im Bild auswählen</translation>
+    </message>
+    <message>
+        <source>Make segments from a black-and-white mask or a label map. Files can also be dropped on the list.</source>
+        <translation>Aus einer Schwarzweißmaske oder einer Segmentkarte Segmente machen. Dateien lassen sich auch auf die Liste ziehen.</translation>
+    </message>
+    <message>
+        <source>Save the segments&apos; pixels as a picture: white on black</source>
+        <translation>Die Pixel der Segmente als Bild speichern: weiß auf schwarz</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
+        <source>Show the new material again</source>
+        <translation>Das neue Material wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Show the segment as photographed, and keep its material</source>
+        <translation>Das Segment zeigen, wie es fotografiert wurde, und sein Material behalten</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Entsperren</translation>
+    </message>
+    <message>
+        <source>Let the segment&apos;s pixels change again</source>
+        <translation>Änderungen an den Pixeln des Segments wieder erlauben</translation>
+    </message>
+    <message>
+        <source>Protect the segment&apos;s pixels from every change</source>
+        <translation>Die Pixel des Segments vor jeder Änderung schützen</translation>
+    </message>
+    <message>
+        <source>Make a segment of the selected pixels, with everything else as in &quot;%1&quot; (Ctrl+J)</source>
+        <translation>Aus den ausgewählten Pixeln ein Segment machen, alles andere wie in „%1“ (Strg+J)</translation>
+    </message>
+    <message>
+        <source>Segments share no pixels: select in the picture the pixels that the copy shall have, and here one segment.</source>
+        <translation>Segmente teilen keine Pixel: Wählen Sie im Bild die Pixel aus, die die Kopie haben soll, und hier ein Segment.</translation>
+    </message>
+    <message>
+        <source>Make one segment of all, with the name and material of &quot;%1&quot; (Ctrl+M)</source>
+        <translation>Aus allen ein Segment machen, mit Namen und Material von „%1“ (Strg+M)</translation>
+    </message>
+    <message>
+        <source>Select two or more segments; the uppermost keeps its name and material.</source>
+        <translation>Wählen Sie zwei oder mehr Segmente aus; das oberste behält Namen und Material.</translation>
+    </message>
+    <message>
+        <source>Make a segment of each piece that does not touch the others</source>
+        <translation>Aus jedem Stück, das die anderen nicht berührt, ein Segment machen</translation>
+    </message>
+    <message>
+        <source>The segment is in one piece, or locked.</source>
+        <translation>Das Segment besteht aus einem Stück oder ist gesperrt.</translation>
+    </message>
+    <message>
+        <source>Select one segment that is in several pieces.</source>
+        <translation>Wählen Sie ein Segment aus, das aus mehreren Stücken besteht.</translation>
+    </message>
+    <message>
+        <source>%1 segments</source>
+        <translation>%1 Segmente</translation>
     </message>
     <message>
         <source>Flag %1 as glossy</source>
@@ -3231,6 +3411,22 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     <message>
         <source>Flag %1 as not glossy</source>
         <translation>%1 als nicht glänzend markieren</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 einblenden</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>%1 sperren</translation>
+    </message>
+    <message>
+        <source>Unlock %1</source>
+        <translation>%1 entsperren</translation>
     </message>
     <message>
         <source>A segment needs a name.</source>
@@ -3245,16 +3441,178 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
         <translation>Segment umbenennen</translation>
     </message>
     <message>
-        <source>Glossy segments show reflections, from which the light is recovered.</source>
-        <translation>Glänzende Segmente zeigen Spiegelungen, aus denen das Licht gewonnen wird.</translation>
+        <source>%1 segments are one now: %2</source>
+        <translation>%1 Segmente sind nun eines: %2</translation>
     </message>
     <message>
-        <source>Click to select a segment, double-click to rename it, check the box to flag it as glossy.</source>
-        <translation>Klicken wählt ein Segment, Doppelklicken benennt es um, das Kästchen markiert es als glänzend.</translation>
+        <source>Merge segments</source>
+        <translation>Segmente vereinen</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>%1 duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicated %1</source>
+        <translation>%1 dupliziert</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>%1 teilen</translation>
+    </message>
+    <message>
+        <source>%1 is in %2 segments now</source>
+        <translation>%1 besteht nun aus %2 Segmenten</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>Please wait until the last file has been read or written.</source>
+        <translation>Bitte warten Sie, bis die letzte Datei gelesen oder geschrieben ist.</translation>
+    </message>
+    <message>
+        <source>Import segments</source>
+        <translation>Segmente importieren</translation>
+    </message>
+    <message>
+        <source>Imported %1</source>
+        <translation>%1 importiert</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>%1 exportiert</translation>
+    </message>
+    <message>
+        <source>Import mask or label map</source>
+        <translation>Maske oder Segmentkarte importieren</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.tif *.tiff *.exr *.pfm *.pgm *.hdr);;All files (*)</source>
+        <translation>Bilder (*.png *.tif *.tiff *.exr *.pfm *.pgm *.hdr);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export mask</source>
+        <translation>Maske exportieren</translation>
+    </message>
+    <message>
+        <source>PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr)</source>
+        <translation>PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SegmentModel</name>
+    <message>
+        <source>&lt;%1 %</source>
+        <translation>&lt;%1 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Segment %1, label %2</source>
+        <translation>Segment %1, Nummer %2</translation>
     </message>
     <message>
         <source>Treat the segment&apos;s colours as reflections</source>
         <translation>Die Farben des Segments als Spiegelungen verstehen</translation>
+    </message>
+    <message>
+        <source>Has a new material</source>
+        <translation>Hat ein neues Material</translation>
+    </message>
+    <message>
+        <source>Unchanged</source>
+        <translation>Unverändert</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pixels</source>
+        <translation>%1 von %2 Pixeln</translation>
+    </message>
+    <message>
+        <source>Its new material is shown. Click to hide it.</source>
+        <translation>Sein neues Material wird gezeigt. Klicken blendet es aus.</translation>
+    </message>
+    <message>
+        <source>It is shown as photographed; its material is kept. Click to show it.</source>
+        <translation>Es wird gezeigt, wie es fotografiert wurde; sein Material bleibt erhalten. Klicken blendet es ein.</translation>
+    </message>
+    <message>
+        <source>Its pixels cannot be changed. Click to unlock it.</source>
+        <translation>Seine Pixel können nicht geändert werden. Klicken entsperrt es.</translation>
+    </message>
+    <message>
+        <source>Click to protect its pixels from changes.</source>
+        <translation>Klicken schützt seine Pixel vor Änderungen.</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>Glossy</source>
+        <translation>Glänzend</translation>
+    </message>
+    <message>
+        <source>Edited</source>
+        <translation>Bearbeitet</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Sort by name</source>
+        <translation>Nach Namen ordnen</translation>
+    </message>
+    <message>
+        <source>Glossy segments show reflections, from which the light is recovered.</source>
+        <translation>Glänzende Segmente zeigen Spiegelungen, aus denen das Licht gewonnen wird.</translation>
+    </message>
+    <message>
+        <source>Segments with a new material</source>
+        <translation>Segmente mit einem neuen Material</translation>
+    </message>
+    <message>
+        <source>Share of the picture</source>
+        <translation>Anteil am Bild</translation>
+    </message>
+    <message>
+        <source>Whether the new material is shown</source>
+        <translation>Ob das neue Material gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Whether the pixels are protected</source>
+        <translation>Ob die Pixel geschützt sind</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SegmentsPanel</name>
+    <message>
+        <source>Segments</source>
+        <translation>Segmente</translation>
+    </message>
+    <message>
+        <source>Open a photograph: File &gt; Open, or drop it on the window.</source>
+        <translation>Öffnen Sie ein Foto: Datei &gt; Öffnen, oder ziehen Sie es auf das Fenster.</translation>
+    </message>
+    <message>
+        <source>Click an object in the picture with Smart select, then press Enter.</source>
+        <translation>Klicken Sie im Bild mit der intelligenten Auswahl auf ein Objekt und drücken Sie dann die Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>Tick Glossy for an object with reflections: the light is recovered from them.</source>
+        <translation>Markieren Sie ein Objekt mit Spiegelungen als glänzend: aus ihnen wird das Licht gewonnen.</translation>
     </message>
 </context>
 <context>

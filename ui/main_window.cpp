@@ -182,6 +182,8 @@ void MainWindow::makeDocks() {
         panels_->addAction(dock->toggleViewAction());
         connect(panel, &Panel::message, this, [this](const QString& text) { statusBar()->showMessage(text, 6000); });
         connect(panel, &Panel::error, this, &MainWindow::showError);
+        connect(panel, &Panel::notices, this,
+                [this, key](const QStringList& sentences) { notices_->setNotices(key, sentences); });
     }
     if (firstOfTabs != nullptr) firstOfTabs->raise();
 }
