@@ -187,28 +187,27 @@ void MainWindow::createFrom(const core::CreateOptions& options, NewPhotoDialog* 
     const QPointer<NewPhotoDialog> asking(dialog);
     const std::shared_ptr<const core::PhotoFiles> files = dialog != nullptr ? dialog->files() : nullptr;
     confirmDiscard([this, options, asking, files] {
-        openScene(
-            {.title = tr("Loading %1").arg(QFileInfo(QString::fromStdString(options.color)).fileName()),
-             .load =
-                 [options, files](core::Notes* notes, const core::Progress& progress) {
-                     return files != nullptr ? core::createScene(options, *files, notes, progress)
-                                             : core::createScene(options, notes, progress);
-                 },
-             .file = QString::fromStdString(options.color),
-             .opened =
-                 [this, options, asking] {
-                     RecentFiles::addPhoto(options);
-                     refreshRecent();
-                     if (asking) asking->accept();
-                 },
-             .failed =
-                 [this, asking](const QString& sentence) {
-                     if (asking)
-                         asking->showProblem(sentence);
-                     else
-                         showError(sentence);
-                 },
-             .parent = asking});
+        openScene({.title = tr("Loading %1").arg(QFileInfo(QString::fromStdString(options.color)).fileName()),
+                   .load =
+                       [options, files](core::Notes* notes, const core::Progress& progress) {
+                           return files != nullptr ? core::createScene(options, *files, notes, progress)
+                                                   : core::createScene(options, notes, progress);
+                       },
+                   .file = QString::fromStdString(options.color),
+                   .opened =
+                       [this, options, asking] {
+                           RecentFiles::addPhoto(options);
+                           refreshRecent();
+                           if (asking) asking->accept();
+                       },
+                   .failed =
+                       [this, asking](const QString& sentence) {
+                           if (asking)
+                               asking->showProblem(sentence);
+                           else
+                               showError(sentence);
+                       },
+                   .parent = asking});
     });
 }
 
@@ -269,10 +268,10 @@ void MainWindow::chooseNew(const QString& colorFile) {
 }
 
 void MainWindow::chooseOpen() {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Open"), {},
-                                     tr("Projects and photographs (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.png *.tif "
-                                        "*.tiff *.hdr *.pfm *.pcd);;Patina projects (*.patina);;All files (*)"));
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open"), {},
+        tr("Projects and photographs (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.png *.tif "
+           "*.tiff *.hdr *.pfm *.pcd);;Patina projects (*.patina);;All files (*)"));
     if (!path.isEmpty()) openFile(path);
 }
 

@@ -293,8 +293,7 @@ NewPhotoDialog::Query NewPhotoDialog::query() const {
     result.kind = kind_;
     if (!kind_ && beside_ && result.depth.toStdString() == beside_->path) result.kind = beside_->kind;
     if (depthUnit_->value() > 0) result.unit = depthUnit_->value();
-    if (fieldOfView_->value() > 0)
-        result.hfov = static_cast<float>(fieldOfView_->value() * std::numbers::pi / 180);
+    if (fieldOfView_->value() > 0) result.hfov = static_cast<float>(fieldOfView_->value() * std::numbers::pi / 180);
     return result;
 }
 
@@ -362,8 +361,8 @@ void NewPhotoDialog::refresh() {
         result->photoProblem = sentence;
         take(result);
     });
-    const bool known = findings_ != nullptr && findings_->query.color == wanted.color &&
-                       findings_->query.depth == wanted.depth;
+    const bool known =
+        findings_ != nullptr && findings_->query.color == wanted.color && findings_->query.depth == wanted.depth;
     reading_->setVisible(!known);
     task_->start();
 }
@@ -525,14 +524,15 @@ void NewPhotoDialog::showFindings(const Findings& findings) {
     else
         depthUnit_->setSpecialValueText(assumed ? tr("automatic: %1 m, assumed").arg(unit)
                                                 : tr("automatic: %1 m").arg(unit));
-    fieldOfView_->setSpecialValueText(
-        contents && contents->hfov ? tr("automatic: %1°").arg(degrees(*contents->hfov), 0, 'f', 1)
-                                   : tr("automatic: 60°, assumed"));
+    fieldOfView_->setSpecialValueText(contents && contents->hfov
+                                          ? tr("automatic: %1°").arg(degrees(*contents->hfov), 0, 'f', 1)
+                                          : tr("automatic: 60°, assumed"));
     QString reason = findings.photoProblem.isEmpty() ? findings.depthProblem : findings.photoProblem;
     if (reason.isEmpty() && !depth)
-        reason = tr("No depth found. Objects can be selected by their colour. To change materials, add a depth map: "
-                    "choose its file as \"Depth\", or open a photograph that has depth, such as the original of a "
-                    "phone's portrait photo.");
+        reason =
+            tr("No depth found. Objects can be selected by their colour. To change materials, add a depth map: "
+               "choose its file as \"Depth\", or open a photograph that has depth, such as the original of a "
+               "phone's portrait photo.");
     view_->setPoints(findings.points, reason);
     depthText_->setText(depthText(findings));
 }

@@ -48,8 +48,7 @@ QString settingHint(core::Setting setting) {
         case core::Setting::None:
             break;
         case core::Setting::DepthUnit:
-            return QCoreApplication::translate("messages",
-                                               "It is \"Depth unit\" under File > New from photograph.");
+            return QCoreApplication::translate("messages", "It is \"Depth unit\" under File > New from photograph.");
         case core::Setting::DepthUnitOrKind:
             return QCoreApplication::translate(
                 "messages", "They are \"Depth unit\" and \"Depth is\" under File > New from photograph.");

@@ -52,10 +52,10 @@ void addCreate(CLI::App& app, Session& session) {
     CLI::Option* kind =
         command
             ->add_option("--depth-kind", args->depthKind,
-                     "What depth values mean: z (planar), distance (along the ray), disparity or inverse (1/z) "
-                     "[default: as stated by the photograph, otherwise z]")
-        ->type_name("KIND")
-        ->check(CLI::IsMember(core::wordsOf<core::DepthKind>()));
+                         "What depth values mean: z (planar), distance (along the ray), disparity or inverse (1/z) "
+                         "[default: as stated by the photograph, otherwise z]")
+            ->type_name("KIND")
+            ->check(CLI::IsMember(core::wordsOf<core::DepthKind>()));
     CLI::Option* unit =
         command
             ->add_option("--depth-unit", args->depthUnit,

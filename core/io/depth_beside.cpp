@@ -19,7 +19,7 @@ using NameWords = std::vector<std::string>;
 /// A folder with more entries is not searched to its end.
 constexpr int kMaxEntries = 20000;
 /// Extensions of pictures that can be depth maps, the best ones first.
-constexpr std::array<std::string_view, 9> kMapExtensions{".exr", ".pfm", ".tif",  ".tiff", ".png",
+constexpr std::array<std::string_view, 9> kMapExtensions{".exr", ".pfm", ".tif", ".tiff", ".png",
                                                          ".pgm", ".hdr", ".jpg", ".jpeg"};
 constexpr std::array<std::string_view, 4> kDepthWords{"depth", "depthmap", "disparity", "disp"};
 constexpr std::array<std::string_view, 7> kColorWords{"color", "colour", "rgb", "image", "img", "photo", "picture"};
@@ -67,8 +67,8 @@ NameWords without(NameWords words, const auto& list) {
 }
 
 std::size_t extensionRank(const fs::path& path) {
-    return static_cast<std::size_t>(
-        std::ranges::find(kMapExtensions, lowerCase(path.extension().string())) - kMapExtensions.begin());
+    return static_cast<std::size_t>(std::ranges::find(kMapExtensions, lowerCase(path.extension().string())) -
+                                    kMapExtensions.begin());
 }
 
 }  // namespace
@@ -101,9 +101,8 @@ std::optional<DepthBeside> findDepthBeside(const std::string& color) {
         const NameWords rest = without(without(words, kDepthWords), kColorWords);
         if (rest != subject && !rest.empty()) continue;
         const bool disparity = listHas(words, "disparity") || listHas(words, "disp");
-        candidates.push_back(
-            {{rest != subject, extensionRank(path), path.filename().string()},
-             {path.string(), disparity ? std::optional(DepthKind::Disparity) : std::nullopt}});
+        candidates.push_back({{rest != subject, extensionRank(path), path.filename().string()},
+                              {path.string(), disparity ? std::optional(DepthKind::Disparity) : std::nullopt}});
     }
     const auto best = std::ranges::min_element(candidates, {}, &Candidate::order);
     if (best == candidates.end()) return std::nullopt;

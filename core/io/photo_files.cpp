@@ -80,7 +80,7 @@ template LabelImage matchOrientation(LabelImage, const std::string&, const Messa
                                      const Message&);
 
 ImageF readMapFile(const std::string& path, const Camera& camera, int colorOrientation, const Message& colorPath,
-                     const Message& what) {
+                   const Message& what) {
     return matchOrientation(loadScalar(path), path, what, camera, readImageInfo(path).orientation, colorOrientation,
                             colorPath);
 }

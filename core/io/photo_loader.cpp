@@ -189,8 +189,7 @@ void chooseMeaning(const ImportedPhoto& imported, const PhotoRequest& request, P
     source.depthKind = request.depthKind.value_or(imported.kind.value_or(DepthKind::Z));
     if (imported.kind && source.depthKind != *imported.kind)
         note(notes,
-             Message("messages",
-                     "The depth inside \"%1\" is read as \"%2\", although the file says that it is \"%3\".")
+             Message("messages", "The depth inside \"%1\" is read as \"%2\", although the file says that it is \"%3\".")
                  .with(source.color, wordOf(source.depthKind), wordOf(*imported.kind))
                  .about(Setting::DepthUnitOrKind));
     const auto given = requestedUnit(request);
@@ -270,8 +269,7 @@ PhotoReading interpretPhoto(const PhotoFiles& files, const PhotoRequest& request
     reading.source = request.source;
     PhotoSource& source = reading.source;
     source.depthKind = request.depthKind.value_or(DepthKind::Z);
-    reading.camera =
-        chooseCamera(request, files.info, files.imported ? files.imported->camera : std::nullopt, notes);
+    reading.camera = chooseCamera(request, files.info, files.imported ? files.imported->camera : std::nullopt, notes);
     if (!files.hasDepth()) {
         noteMissingDepth(source.color, notes);
         return reading;

@@ -179,8 +179,7 @@ TEST(StartPageTest, GivesWayToTheCanvasOfThePhotograph) {
     const QColor expected = ui::displayColor(there);
     ASSERT_TRUE(test::waitUntil(
         [&] {
-            const QColor seen =
-                window.screen()->grabWindow(0, middle.x(), middle.y(), 1, 1).toImage().pixelColor(0, 0);
+            const QColor seen = window.screen()->grabWindow(0, middle.x(), middle.y(), 1, 1).toImage().pixelColor(0, 0);
             return std::abs(seen.red() - expected.red()) + std::abs(seen.green() - expected.green()) < 60;
         },
         10000))

@@ -210,8 +210,7 @@ class Opening : public testing::Test {
     void writeDepth(const QString& name, int width = 64, int height = 48) const {
         core::ImageF depth(width, height);
         for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                depth(x, y) = card(x, y) ? 1.0f : 2.0f + 0.01f * static_cast<float>(x);
+            for (int x = 0; x < width; ++x) depth(x, y) = card(x, y) ? 1.0f : 2.0f + 0.01f * static_cast<float>(x);
         core::saveScalar(depth, file(name).toStdString(), "Z");
     }
     static bool card(int x, int y) { return x >= 20 && x < 40 && y >= 12 && y < 36; }

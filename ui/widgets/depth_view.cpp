@@ -67,8 +67,8 @@ DepthPoints makeDepthPoints(const core::ImageRgb& color, const core::ImageF& dep
     DepthPoints points;
     points.camera = camera;
     if (depth.empty() || color.empty()) return points;
-    const int step = std::max(
-        1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(depth.size()) / std::max(1, maxCount)))));
+    const int step =
+        std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(depth.size()) / std::max(1, maxCount)))));
     const double sx = static_cast<double>(camera.width) / depth.width();
     const double sy = static_cast<double>(camera.height) / depth.height();
     std::vector<float> depths;
@@ -79,8 +79,7 @@ DepthPoints makeDepthPoints(const core::ImageRgb& color, const core::ImageF& dep
             const auto u = static_cast<float>((x + 0.5) * sx);
             const auto v = static_cast<float>((y + 0.5) * sy);
             points.positions.emplace_back(camera.ray(u, v) * z);
-            points.colors.push_back(
-                cellColor(color, (x - step / 2) * sx, (y - step / 2) * sy, step * sx, step * sy));
+            points.colors.push_back(cellColor(color, (x - step / 2) * sx, (y - step / 2) * sy, step * sx, step * sy));
             points.sizes.push_back(z * static_cast<float>(std::max(step * sx / static_cast<double>(camera.fx),
                                                                    step * sy / static_cast<double>(camera.fy))));
             depths.push_back(z);
@@ -141,15 +140,15 @@ void DepthView::setAngles(double yaw, double pitch) {
 DepthView::Lens DepthView::lens(const QSize& size) const {
     const core::Camera& camera = points_->camera;
     Lens result;
-    const Eigen::Matrix3d turned = (Eigen::AngleAxisd(pitch_, Eigen::Vector3d::UnitX()) *
-                                    Eigen::AngleAxisd(yaw_, Eigen::Vector3d::UnitY()))
-                                       .toRotationMatrix();
+    const Eigen::Matrix3d turned =
+        (Eigen::AngleAxisd(pitch_, Eigen::Vector3d::UnitX()) * Eigen::AngleAxisd(yaw_, Eigen::Vector3d::UnitY()))
+            .toRotationMatrix();
     result.rotation = turned.cast<float>();
     result.pivot = {0, 0, points_->middle};
     result.distance = points_->middle;
-    const double scale = std::min(static_cast<double>(size.width()) / camera.width,
-                                  static_cast<double>(size.height()) / camera.height) *
-                         zoom_;
+    const double scale =
+        std::min(static_cast<double>(size.width()) / camera.width, static_cast<double>(size.height()) / camera.height) *
+        zoom_;
     result.focal = Eigen::Vector2f(camera.fx, camera.fy) * static_cast<float>(scale);
     const Eigen::Vector2d place(
         size.width() * (0.5 + shift_.x()) + scale * (static_cast<double>(camera.cx) - 0.5 * camera.width),
@@ -183,12 +182,12 @@ void DepthView::fit() {
     const double right = static_cast<double>(atShare(us, 1 - kOutside));
     const double top = static_cast<double>(atShare(vs, kOutside));
     const double bottom = static_cast<double>(atShare(vs, 1 - kOutside));
-    zoom_ = std::clamp(kFilled * std::min(size.width() / std::max(1.0, right - left),
-                                          size.height() / std::max(1.0, bottom - top)),
-                       kMinZoom, 1.0);
+    zoom_ = std::clamp(
+        kFilled * std::min(size.width() / std::max(1.0, right - left), size.height() / std::max(1.0, bottom - top)),
+        kMinZoom, 1.0);
     // The middle of the box comes to the middle of the widget; zooming keeps the distance from the widget's middle.
-    shift_ = QPointF(zoom_ * (0.5 - (left + right) / 2 / size.width()),
-                     zoom_ * (0.5 - (top + bottom) / 2 / size.height()));
+    shift_ =
+        QPointF(zoom_ * (0.5 - (left + right) / 2 / size.width()), zoom_ * (0.5 - (top + bottom) / 2 / size.height()));
 }
 
 QImage DepthView::drawPoints(const QSize& size) const {
