@@ -143,18 +143,6 @@
 <context>
     <name>messages</name>
     <message>
-        <source>It is &quot;Depth unit&quot; under File &gt; New from photo and depth.</source>
-        <translation>Das geht mit „Tiefeneinheit“ unter Datei &gt; Neu aus Foto und Tiefe.</translation>
-    </message>
-    <message>
-        <source>They are &quot;Depth unit&quot; and &quot;Depth is&quot; under File &gt; New from photo and depth.</source>
-        <translation>Das geht mit „Tiefeneinheit“ und „Tiefe ist“ unter Datei &gt; Neu aus Foto und Tiefe.</translation>
-    </message>
-    <message>
-        <source>&quot;Field of view&quot; under File &gt; New from photo and depth sets it.</source>
-        <translation>Das geht mit „Bildwinkel“ unter Datei &gt; Neu aus Foto und Tiefe.</translation>
-    </message>
-    <message>
         <source>There is not enough memory for this.</source>
         <translation>Dafür reicht der Speicher nicht.</translation>
     </message>
@@ -807,18 +795,6 @@
         <translation>Die mittlere Tiefe in „%1“ ist %2 m bei einer Einheit von %3 m, erwartet wird %4 bis %5 m: Die Einheit ist wahrscheinlich falsch. Geben Sie die Meter pro gespeicherter Einheit an (0,001 für Millimeter, 1 für Meter) oder die richtige Art der Tiefe.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; contains no depth map (%2), and no depth image is given.</source>
-        <translation>„%1“ enthält keine Tiefenkarte (%2), und es ist kein Tiefenbild angegeben.</translation>
-    </message>
-    <message>
-        <source>The depth kind is &quot;%1&quot;, but the file says that the depth inside &quot;%2&quot; is &quot;%3&quot;.</source>
-        <translation>Die Art der Tiefe ist „%1“, laut Datei ist die Tiefe in „%2“ aber „%3“.</translation>
-    </message>
-    <message>
-        <source>Depth image</source>
-        <translation>Tiefenbild</translation>
-    </message>
-    <message>
         <source>Depth image &quot;%1&quot; has no valid pixel: every value is zero, negative, not a number or beyond %2 m.</source>
         <translation>Das Tiefenbild „%1“ hat kein gültiges Pixel: Jeder Wert ist null, negativ, keine Zahl oder größer als %2 m.</translation>
     </message>
@@ -1178,6 +1154,26 @@
         <source>The depth map has no valid pixel: all of its %1 values are zero or not finite, but at least one positive depth is needed. Load a depth map that belongs to the photograph, or check its unit and kind.</source>
         <translation>Die Tiefenkarte hat kein gültiges Pixel: Alle %1 Werte sind null oder nicht endlich, aber mindestens eine positive Tiefe wird gebraucht. Laden Sie eine Tiefenkarte, die zum Foto gehört, oder prüfen Sie ihre Einheit und Art.</translation>
     </message>
+    <message>
+        <source>It is &quot;Depth unit&quot; under File &gt; New from photograph.</source>
+        <translation>Sie steht als „Tiefeneinheit“ unter Datei &gt; Neu aus Fotografie.</translation>
+    </message>
+    <message>
+        <source>They are &quot;Depth unit&quot; and &quot;Depth is&quot; under File &gt; New from photograph.</source>
+        <translation>Sie stehen als „Tiefeneinheit“ und „Tiefe ist“ unter Datei &gt; Neu aus Fotografie.</translation>
+    </message>
+    <message>
+        <source>&quot;Field of view&quot; under File &gt; New from photograph sets it.</source>
+        <translation>„Bildwinkel“ unter Datei &gt; Neu aus Fotografie legt ihn fest.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; contains no depth map (%2), and no depth image is given. Objects can be selected by their colour, but materials cannot be changed: that needs a depth map.</source>
+        <translation>„%1“ enthält keine Tiefenkarte (%2), und kein Tiefenbild ist angegeben. Objekte lassen sich nach ihrer Farbe auswählen, aber Materialien nicht ändern: dafür ist eine Tiefenkarte nötig.</translation>
+    </message>
+    <message>
+        <source>The depth inside &quot;%1&quot; is read as &quot;%2&quot;, although the file says that it is &quot;%3&quot;.</source>
+        <translation>Die Tiefe in „%1“ wird als „%2“ gelesen, obwohl sie laut Datei „%3“ ist.</translation>
+    </message>
 </context>
 <context>
     <name>metals</name>
@@ -1310,6 +1306,13 @@
     <message>
         <source>Whole milk</source>
         <translation>Vollmilch</translation>
+    </message>
+</context>
+<context>
+    <name>samples</name>
+    <message>
+        <source>Studio: a satin vase and a golden bag</source>
+        <translation>Studio: eine seidenmatte Vase und ein goldener Beutel</translation>
     </message>
 </context>
 <context>
@@ -1654,6 +1657,22 @@
         <source>Better dipole</source>
         <translation>Besserer Dipol</translation>
     </message>
+    <message>
+        <source>Visible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the segment with its new material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protect the segment&apos;s pixels from being changed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tasks</name>
@@ -1708,6 +1727,10 @@
     <message>
         <source>Running benchmarks</source>
         <translation>Messungen laufen</translation>
+    </message>
+    <message>
+        <source>Finding regions to select</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1823,6 +1846,29 @@
     <message>
         <source>%1: linear %2, %3, %4. Click to change.</source>
         <translation>%1: linear %2, %3, %4. Zum Ändern klicken.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::DepthView</name>
+    <message>
+        <source>Depth in space</source>
+        <translation>Tiefe im Raum</translation>
+    </message>
+    <message>
+        <source>Drag to turn, wheel to zoom, double-click for the first view; or arrow keys, + and -, Home</source>
+        <translation>Ziehen dreht, das Mausrad zoomt, Doppelklick zeigt die erste Ansicht; oder Pfeiltasten, + und -, Pos1</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
     </message>
 </context>
 <context>
@@ -2246,20 +2292,8 @@
         <translation>&amp;Datei</translation>
     </message>
     <message>
-        <source>&amp;New from photo and depth…</source>
-        <translation>&amp;Neu aus Foto und Tiefe…</translation>
-    </message>
-    <message>
-        <source>Start a project from a photograph and its depth map</source>
-        <translation>Ein Projekt mit einem Foto und seiner Tiefenkarte beginnen</translation>
-    </message>
-    <message>
         <source>&amp;Open…</source>
         <translation>Ö&amp;ffnen…</translation>
-    </message>
-    <message>
-        <source>Open a project</source>
-        <translation>Ein Projekt öffnen</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
@@ -2458,10 +2492,6 @@
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Projects and photographs (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.pcd);;Patina projects (*.patina);;All files (*)</source>
-        <translation>Projekte und Fotos (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.pcd);;Patina-Projekte (*.patina);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Save as</source>
         <translation>Speichern unter</translation>
     </message>
@@ -2644,6 +2674,22 @@
     <message>
         <source>Files of &quot;%1&quot; cannot be found:</source>
         <translation>Dateien von „%1“ wurden nicht gefunden:</translation>
+    </message>
+    <message>
+        <source>&amp;New from photograph…</source>
+        <translation>&amp;Neu aus Fotografie …</translation>
+    </message>
+    <message>
+        <source>Start a project from a photograph and its depth</source>
+        <translation>Ein Projekt aus einer Fotografie und ihrer Tiefe beginnen</translation>
+    </message>
+    <message>
+        <source>Open a photograph or a project</source>
+        <translation>Eine Fotografie oder ein Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Projects and photographs (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.png *.tif *.tiff *.hdr *.pfm *.pcd);;Patina projects (*.patina);;All files (*)</source>
+        <translation>Projekte und Fotografien (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.png *.tif *.tiff *.hdr *.pfm *.pcd);;Patina-Projekte (*.patina);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -2958,10 +3004,6 @@
 <context>
     <name>ui::NewPhotoDialog</name>
     <message>
-        <source>New from photograph and depth</source>
-        <translation>Neu aus Foto und Tiefe</translation>
-    </message>
-    <message>
         <source>Pictures (*.exr *.png *.jpg *.jpeg *.tif *.tiff *.hdr *.pfm);;All files (*)</source>
         <translation>Bilder (*.exr *.png *.jpg *.jpeg *.tif *.tiff *.hdr *.pfm);;Alle Dateien (*)</translation>
     </message>
@@ -3034,16 +3076,8 @@
         <translation>Tiefenkarte derselben Ansicht. Leer lassen, wenn das Foto die Tiefe enthält (Porträtfotos von Handys, EXR mit Kanal Z, Punktwolken).</translation>
     </message>
     <message>
-        <source>Meaning of the numbers in the depth file</source>
-        <translation>Bedeutung der Zahlen in der Tiefendatei</translation>
-    </message>
-    <message>
         <source>Metres per stored unit. Automatic uses what the photograph states, otherwise 1 for floating-point files and 0.001 for 16-bit files.</source>
         <translation>Meter pro gespeicherter Einheit. „Automatisch“ nimmt die Angabe des Fotos, sonst 1 für Gleitkomma-Dateien und 0,001 für 16-Bit-Dateien.</translation>
-    </message>
-    <message>
-        <source>Horizontal field of view. Automatic reads it from the photograph, otherwise assumes 60°.</source>
-        <translation>Horizontaler Bildwinkel. „Automatisch“ liest ihn aus dem Foto und nimmt sonst 60° an.</translation>
     </message>
     <message>
         <source>What the photograph&apos;s file contains</source>
@@ -3074,10 +3108,6 @@
         <translation>kein Bildwinkel angegeben</translation>
     </message>
     <message>
-        <source>no depth inside: choose a depth map</source>
-        <translation>keine Tiefe enthalten: Wählen Sie eine Tiefenkarte</translation>
-    </message>
-    <message>
         <source>no depth inside</source>
         <translation>keine Tiefe enthalten</translation>
     </message>
@@ -3086,24 +3116,116 @@
         <translation>Tiefe enthalten, %1 × %2 Pixel: %3</translation>
     </message>
     <message>
-        <source>The photograph&apos;s file says what its depth is</source>
-        <translation>Die Datei des Fotos gibt an, was ihre Tiefe ist</translation>
-    </message>
-    <message>
-        <source>automatic: %1</source>
-        <translation>automatisch: %1</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>automatic: %1 m, assumed</source>
         <translation>automatisch: %1 m, angenommen</translation>
     </message>
     <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
+        <source>Open a photograph</source>
+        <translation>Fotografie öffnen</translation>
+    </message>
+    <message>
+        <source>Reading the photograph</source>
+        <translation>Die Fotografie wird gelesen</translation>
+    </message>
+    <message>
+        <source>Horizontal field of view. Automatic reads it from the photograph, otherwise assumes 60°. If it is wrong, turned objects look too deep or too flat.</source>
+        <translation>Horizontaler Bildwinkel. Automatisch: aus der Fotografie, sonst werden 60° angenommen. Ist er falsch, sehen gedrehte Gegenstände zu tief oder zu flach aus.</translation>
+    </message>
+    <message>
+        <source>Meaning of the numbers in the depth map</source>
+        <translation>Bedeutung der Zahlen in der Tiefenkarte</translation>
+    </message>
+    <message>
+        <source>Exchange near and far</source>
+        <translation>Nah und fern vertauschen</translation>
+    </message>
+    <message>
+        <source>For maps whose bright parts are far where they should be near, or the other way round: reads the numbers as inverse depth instead of depth, or back</source>
+        <translation>Für Karten, deren helle Teile fern statt nah sind oder umgekehrt: liest die Zahlen als inverse Tiefe statt als Tiefe, oder zurück</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Open with objects that were marked in another program</source>
+        <translation>Mit Objekten öffnen, die in einem anderen Programm markiert wurden</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>Gedreht</translation>
+    </message>
+    <message>
+        <source>From the right and above</source>
+        <translation>Von rechts oben</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>As the camera saw it</source>
+        <translation>Wie die Kamera es sah</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>From above, with the camera below</source>
+        <translation>Von oben, mit der Kamera unten</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>From the right, with the camera at the left</source>
+        <translation>Von rechts, mit der Kamera links</translation>
+    </message>
+    <message>
+        <source>How deep the scene is</source>
+        <translation>Wie tief die Szene ist</translation>
+    </message>
+    <message>
+        <source>Choose a photograph.</source>
+        <translation>Wählen Sie eine Fotografie.</translation>
+    </message>
+    <message>
+        <source>depth map, %1 × %2 pixels</source>
+        <translation>Tiefenkarte, %1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>Depth from %1 to %2 m, half of it nearer than %3 m.</source>
+        <translation>Tiefe von %1 bis %2 m, zur Hälfte näher als %3 m.</translation>
+    </message>
+    <message>
+        <source>Nothing states the unit, so the middle is assumed to be 1 m away.</source>
+        <translation>Die Einheit steht nirgends, daher wird die Mitte in 1 m Entfernung angenommen.</translation>
+    </message>
+    <message>
+        <source>The unit or the kind is probably wrong.</source>
+        <translation>Einheit oder Art sind wahrscheinlich falsch.</translation>
+    </message>
+    <message>
+        <source>inside the photograph</source>
+        <translation>in der Fotografie</translation>
+    </message>
+    <message>
+        <source>automatic: %1 m</source>
+        <translation>automatisch: %1 m</translation>
+    </message>
+    <message>
+        <source>automatic: %1°</source>
+        <translation>automatisch: %1°</translation>
+    </message>
+    <message>
+        <source>automatic: 60°, assumed</source>
+        <translation>automatisch: 60°, angenommen</translation>
+    </message>
+    <message>
+        <source>No depth found. Objects can be selected by their colour. To change materials, add a depth map: choose its file as &quot;Depth&quot;, or open a photograph that has depth, such as the original of a phone&apos;s portrait photo.</source>
+        <translation>Keine Tiefe gefunden. Objekte lassen sich nach ihrer Farbe auswählen. Um Materialien zu ändern, ist eine Tiefenkarte nötig: Wählen Sie ihre Datei als „Tiefe“, oder öffnen Sie eine Fotografie mit Tiefe, etwa das Original eines Handy-Porträtfotos.</translation>
     </message>
 </context>
 <context>
@@ -3255,6 +3377,65 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     <message>
         <source>Treat the segment&apos;s colours as reflections</source>
         <translation>Die Farben des Segments als Spiegelungen verstehen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::StartPage</name>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Open photo or project…</source>
+        <translation>Foto oder Projekt öffnen …</translation>
+    </message>
+    <message>
+        <source>Photographs with depth, photographs with a depth map beside them, and projects</source>
+        <translation>Fotografien mit Tiefe, Fotografien mit einer Tiefenkarte daneben, und Projekte</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Recent projects and photographs</source>
+        <translation>Zuletzt geöffnete Projekte und Fotografien</translation>
+    </message>
+    <message>
+        <source>Remove from list</source>
+        <translation>Aus der Liste entfernen</translation>
+    </message>
+    <message>
+        <source>Forget the selected file; the file itself stays (Delete)</source>
+        <translation>Die ausgewählte Datei vergessen; die Datei selbst bleibt (Entf)</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Edited examples</source>
+        <translation>Bearbeitete Beispiele</translation>
+    </message>
+    <message>
+        <source>Change what things in a photograph are made of</source>
+        <translation>Ändern, woraus die Dinge in einer Fotografie bestehen</translation>
+    </message>
+    <message>
+        <source>or drop a file here</source>
+        <translation>oder eine Datei hierher ziehen</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>%1 is no longer in its folder: it was moved, renamed or deleted.</source>
+        <translation>%1 liegt nicht mehr in ihrem Ordner: Sie wurde verschoben, umbenannt oder gelöscht.</translation>
+    </message>
+    <message>
+        <source>The folder of %1 cannot be found: it was moved, or its disk is not connected.</source>
+        <translation>Der Ordner von %1 ist nicht zu finden: Er wurde verschoben, oder sein Laufwerk ist nicht angeschlossen.</translation>
     </message>
 </context>
 <context>
