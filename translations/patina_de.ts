@@ -2677,7 +2677,7 @@
     </message>
     <message>
         <source>&amp;New from photograph…</source>
-        <translation>&amp;Neu aus Fotografie …</translation>
+        <translation>&amp;Neu aus Fotografie…</translation>
     </message>
     <message>
         <source>Start a project from a photograph and its depth</source>
@@ -3387,7 +3387,7 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     </message>
     <message>
         <source>Open photo or project…</source>
-        <translation>Foto oder Projekt öffnen …</translation>
+        <translation>Foto oder Projekt öffnen…</translation>
     </message>
     <message>
         <source>Photographs with depth, photographs with a depth map beside them, and projects</source>

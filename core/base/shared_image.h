@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <concepts>
 #include <memory>
 #include <utility>
 
@@ -39,11 +38,6 @@ class SharedImage {
     T& operator[](std::size_t i) { return own()[i]; }
     [[nodiscard]] std::span<T> pixels() { return own().pixels(); }
 
-    /// Equal pixels. A template, so that comparing with an Image converts to that.
-    template <std::same_as<SharedImage> Other>
-    [[nodiscard]] bool operator==(const Other& other) const {
-        return image_ == other.image_ || *image_ == *other.image_;
-    }
     /// Whether both have the same pixels in memory, not only equal ones.
     [[nodiscard]] bool shares(const SharedImage& other) const { return image_ == other.image_; }
 

@@ -450,7 +450,7 @@ TEST_F(ImportTest, TheUserKnowsBetterThanTheFile) {
 
     core::saveProject(scene, folder / "p.patina");
     const core::Scene again = core::loadProject(folder / "p.patina");
-    EXPECT_EQ(again.photo->depth, scene.photo->depth);
+    EXPECT_EQ(again.photo->depth.image(), scene.photo->depth.image());
     EXPECT_EQ(again.photo->camera, scene.photo->camera);
 
     options.intrinsics = core::Camera{0, 0, 40, 40, 16, 8};
@@ -465,11 +465,11 @@ TEST_F(ImportTest, TheUserKnowsBetterThanTheFile) {
     EXPECT_THAT(core::english(notes), testing::Contains(testing::AllOf(testing::HasSubstr("read as \"distance\""),
                                                                        testing::HasSubstr("\"disparity\""))));
     core::saveProject(other, folder / "other.patina");
-    EXPECT_EQ(core::loadProject(folder / "other.patina").photo->depth, other.photo->depth);
+    EXPECT_EQ(core::loadProject(folder / "other.patina").photo->depth.image(), other.photo->depth.image());
     options.depthKind = DepthKind::Z;
     const core::Scene planar = core::createScene(options);
     core::saveProject(planar, folder / "z.patina");
-    EXPECT_EQ(core::loadProject(folder / "z.patina").photo->depth, planar.photo->depth);
+    EXPECT_EQ(core::loadProject(folder / "z.patina").photo->depth.image(), planar.photo->depth.image());
 }
 
 TEST_F(ImportTest, ASeparateDepthImageReplacesTheOneInside) {
@@ -515,7 +515,7 @@ TEST_F(ImportTest, AFileWithoutDepthSaysWhereItWasLookedFor) {
     for (const char* part : {"plain.jpg", "channel Z", "Google", "HEIC", "PCD", "cannot be changed"})
         EXPECT_THAT(*note, testing::HasSubstr(part));
     core::saveProject(scene, folder / "plain.patina");
-    EXPECT_EQ(core::loadProject(folder / "plain.patina").photo->depth, scene.photo->depth);
+    EXPECT_EQ(core::loadProject(folder / "plain.patina").photo->depth.image(), scene.photo->depth.image());
 }
 
 TEST_F(ImportTest, FilesThatWereReadGiveTheSamePhotograph) {
