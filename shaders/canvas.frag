@@ -13,6 +13,7 @@ layout(set = 0, binding = CANVAS_PICTURE) uniform texture2D picture;
 layout(set = 0, binding = CANVAS_LABELS) uniform utexture2D labels;
 layout(set = 0, binding = CANVAS_MASK) uniform texture2D mask;
 layout(set = 0, binding = CANVAS_RULER_IMAGE) uniform texture2D rulerImage;
+layout(set = 0, binding = CANVAS_SELECTION_CODES) uniform texture2D selectionCodes;
 layout(push_constant) uniform Block { CanvasBlock block; };
 layout(location = 0) out vec4 target;
 
@@ -55,6 +56,32 @@ bool isSelected(vec2 p) {
     return texelFetch(labels, i, 0).r == block.selected;
 }
 
+uint selectionCode(vec2 p) {
+    ivec2 size = textureSize(selectionCodes, 0);
+    ivec2 i = ivec2(floor(p));
+    if (any(lessThan(i, ivec2(0))) || any(greaterThanEqual(i, size))) return 0u;
+    return uint(texelFetch(selectionCodes, i, 0).r * 255.0 + 0.5);
+}
+
+// The selection tinted blue in a dashed outline; what would join it tinted white and what would leave it red, both in a
+// plain outline.
+vec3 withSelection(vec3 display, vec2 p) {
+    uint here = selectionCode(p);
+    uint around = 0u;
+    float reach = 1.25 * block.step;
+    around |= selectionCode(p + vec2(reach, 0.0)) ^ here;
+    around |= selectionCode(p - vec2(reach, 0.0)) ^ here;
+    around |= selectionCode(p + vec2(0.0, reach)) ^ here;
+    around |= selectionCode(p - vec2(0.0, reach)) ^ here;
+    if ((here & SELECTION_JOINS) != 0u) display = mix(display, vec3(1.0), 0.22);
+    if ((here & SELECTION_LEAVES) != 0u) display = mix(display, vec3(0.9, 0.1, 0.1), 0.45);
+    if (here == SELECTION_IS) display = mix(display, vec3(0.20, 0.55, 1.0), 0.30);
+    if ((around & (SELECTION_JOINS | SELECTION_LEAVES)) != 0u) return here == 0u ? vec3(0.05) : vec3(1.0, 0.95, 0.75);
+    if ((around & SELECTION_IS) != 0u)
+        return mod(gl_FragCoord.x + gl_FragCoord.y, 8.0) < 4.0 ? vec3(0.02) : vec3(1.0);
+    return display;
+}
+
 void main() {
     ivec2 size = textureSize(picture, 0);
     vec2 p = block.origin + gl_FragCoord.xy * block.step;
@@ -70,8 +97,10 @@ void main() {
                       isSelected(p + vec2(0.0, reach)) != here || isSelected(p - vec2(0.0, reach)) != here;
         if (border) display = here ? vec3(0.05) : vec3(1.0, 0.72, 0.30);
     }
-    if ((kFlags & CANVAS_OVERLAY) != 0u) {
-        if (inside) display = mix(display, vec3(0.85, 0.12, 0.10), 0.6 * texelFetch(mask, ivec2(floor(p)), 0).r);
+    if ((kFlags & CANVAS_SELECTION) != 0u) display = withSelection(display, p);
+    if ((kFlags & CANVAS_OVERLAY) != 0u && inside)
+        display = mix(display, vec3(0.85, 0.12, 0.10), 0.6 * texelFetch(mask, ivec2(floor(p)), 0).r);
+    if ((kFlags & CANVAS_BRUSH) != 0u) {
         float edge = abs(distance(p, block.brushCenter) - block.brushRadius) / block.step;
         if (edge < 1.5) display = edge < 0.75 ? vec3(1.0) : vec3(0.1);
     }

@@ -33,6 +33,7 @@
 #include "ui/canvas/substance_ruler.h"
 #include "ui/panels/registry.h"
 #include "ui/start_page.h"
+#include "ui/tools/tool_box.h"
 #include "ui/vulkan_support.h"
 #include "ui/widgets/notice_button.h"
 #include "ui/words.h"
@@ -59,11 +60,13 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWin
     makeCentral();
     painter_ = new MaskPainter(workspace_, *canvas_, this);
     ruler_ = new SubstanceRuler(workspace_, *canvas_, this);
+    toolBox_ = new ToolBox(workspace_, *canvas_, this);
 
     makeActions();
     makeStatusBar();
     makeDocks();
     makeToolBar();
+    toolBox_->addBars(*this);
 
     if (options_.canvas) {
         core::setUserBrdfCheck(render::userBrdfCheck(options_.device.toStdString()));
@@ -93,6 +96,9 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWin
     connect(canvas_, &Canvas::segmentClicked, &workspace_, &Workspace::select);
     connect(canvas_, &Canvas::pixelPicked, &workspace_, &Workspace::finishPicking);
     connect(&workspace_, &Workspace::pickingChanged, this, [this] { canvas_->setPicking(workspace_.picking()); });
+    connect(&toolBox_->session(), &SelectionSession::message, this,
+            [this](const QString& text) { statusBar()->showMessage(text, 6000); });
+    connect(&toolBox_->session(), &SelectionSession::error, this, &MainWindow::showError);
     connect(canvas_, &Canvas::failed, this, &MainWindow::canvasFailed);
     connect(canvas_, &Canvas::zoomChanged, this,
             [this](double zoom) { zoomLabel_->setText(tr("%1 %").arg(zoom * 100, 0, 'f', zoom < 0.1 ? 1 : 0)); });
@@ -110,6 +116,7 @@ MainWindow::~MainWindow() {
     layerTask_.reset();
     worker_.disconnect(this);
     workspace_.disconnect();
+    delete toolBox_;
     delete painter_;
     delete ruler_;
     delete canvas_;
@@ -129,7 +136,9 @@ void MainWindow::makeCentral() {
 }
 
 bool MainWindow::settled() const {
-    if (task_ != nullptr || analysing_ || (layerTask_ != nullptr && layerTask_->running())) return false;
+    if (task_ != nullptr || analysing_ || toolBox_->session().worker().busy() ||
+        (layerTask_ != nullptr && layerTask_->running()))
+        return false;
     if (!workspace_.hasPhoto() || !canvas_->available()) return true;
     return workspace_.analysis() != nullptr && canvas_->upToDate() && canvas_->progress().finished;
 }
@@ -208,6 +217,7 @@ void MainWindow::sceneChanged(core::Stage stage) {
     updateTitle();
     updateActions();
     if (!workspace_.hasPhoto()) return;
+    canvas_->setLabels(workspace_.scene().photo);
     if (stage <= core::Stage::Environment) {
         analysing_ = true;
         analysisStep_ = tr("Analysing");
@@ -387,6 +397,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         workspace_.pickPixel(nullptr);
         return;
     }
+    if (canvas_->hasFocus() && toolBox_->pressKey(*event)) return;
     QMainWindow::keyPressEvent(event);
 }
 
@@ -395,6 +406,7 @@ void MainWindow::keyReleaseEvent(QKeyEvent* event) {
         if (!event->isAutoRepeat()) canvas_->setComparing(false);
         return;
     }
+    if (toolBox_->releaseKey(*event)) return;
     QMainWindow::keyReleaseEvent(event);
 }
 

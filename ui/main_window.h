@@ -29,6 +29,7 @@ class NewPhotoDialog;
 class NoticeButton;
 class StartPage;
 class SubstanceRuler;
+class ToolBox;
 
 struct WindowOptions {
     bool canvas = true;  ///< false: no Vulkan is touched (tests of everything else)
@@ -44,6 +45,7 @@ class MainWindow : public QMainWindow {
 
     [[nodiscard]] Workspace& workspace() { return workspace_; }
     [[nodiscard]] Canvas& canvas() { return *canvas_; }
+    [[nodiscard]] ToolBox& toolBox() { return *toolBox_; }
     /// Whether everything the window shows is up to date: analysis, accumulation, no file operation running.
     [[nodiscard]] bool settled() const;
     /// Whether a file is being read or written.
@@ -76,6 +78,7 @@ class MainWindow : public QMainWindow {
     void makeActions();
     void makeFileMenu();
     void makeEditMenu();
+    void makeSelectMenu();
     void makeViewMenu();
     void makeHelpMenu();
     void makeToolBar();
@@ -143,6 +146,7 @@ class MainWindow : public QMainWindow {
     Canvas* canvas_ = nullptr;
     MaskPainter* painter_ = nullptr;
     SubstanceRuler* ruler_ = nullptr;
+    ToolBox* toolBox_ = nullptr;
     std::unique_ptr<BackgroundTask> task_;
     std::unique_ptr<BackgroundTask> layerTask_;
     QProgressDialog* progressDialog_ = nullptr;

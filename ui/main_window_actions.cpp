@@ -14,21 +14,17 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "ui/action.h"
 #include "ui/canvas/substance_ruler.h"
 #include "ui/main_window.h"
+#include "ui/tools/tool_box.h"
 #include "ui/widgets/notice_button.h"
 
 namespace ui {
 
 QAction* MainWindow::addAction(QMenu* menu, const QString& key, const QString& text, const QKeySequence& shortcut,
                                const QString& help, const std::function<void()>& run) {
-    auto* action = new QAction(text, this);
-    action->setObjectName(key);
-    action->setShortcut(shortcut);
-    const QString keys = shortcut.toString(QKeySequence::NativeText);
-    action->setToolTip(keys.isEmpty() ? help : QStringLiteral("%1 (%2)").arg(help, keys));
-    action->setStatusTip(help);
-    connect(action, &QAction::triggered, this, run);
+    QAction* action = makeAction(this, key, text, shortcut, help, run);
     menu->addAction(action);
     return action;
 }
@@ -36,6 +32,7 @@ QAction* MainWindow::addAction(QMenu* menu, const QString& key, const QString& t
 void MainWindow::makeActions() {
     makeFileMenu();
     makeEditMenu();
+    makeSelectMenu();
     makeViewMenu();
     makeHelpMenu();
 }
@@ -87,8 +84,14 @@ void MainWindow::makeEditMenu() {
     redo_ = addAction(menu, "actionRedo", tr("&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z),
                       tr("Redo the last undone change"), [this] { workspace_.document().redo(); });
     menu->addSeparator();
-    addAction(menu, "actionDeselect", tr("&Deselect"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
-              tr("Clear the selection"), [this] { workspace_.select(0); });
+    addAction(menu, "actionDeselect", tr("&Deselect segment"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
+              tr("Edit no segment"), [this] { workspace_.select(0); });
+}
+
+void MainWindow::makeSelectMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&Select"));
+    menu->setToolTipsVisible(true);
+    toolBox_->fillMenu(*menu);
 }
 
 void MainWindow::makeViewMenu() {

@@ -7,7 +7,6 @@
 
 #include "app/cli/session.h"
 #include "core/io/image_io.h"
-#include "core/io/label_map.h"
 #include "core/io/project.h"
 #include "core/scene/segments.h"
 #include "core/selection/selector.h"
@@ -73,7 +72,7 @@ void segment(const SegmentArguments& args) {
     core::Notes notes;
     const core::Scene changed = core::withSegment(scene, mask, args.into, &notes);
     core::saveLabels(whiteWhereSelected(mask), args.output);
-    core::saveProject(core::withSavedLabels(changed, args.project), args.project);
+    core::saveProject(changed, args.project);
     printNotes(notes);
 }
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <map>
 #include <numbers>
 #include <utility>
 
 #include "core/analysis/light/reflectance.h"
+#include "core/base/label_table.h"
 #include "core/scene/masks.h"
 
 namespace core {
@@ -75,7 +75,26 @@ void noteLight(const Scene& scene, const Analysis& analysis, Notes& notes) {
                             .with(clipped));
 }
 
-void noteReflectance(const Segment& segment, const Reflectance& reflectance, std::size_t pixels, Notes& notes) {
+/// Pixels with depth of each label.
+LabelTable<std::size_t> depthPixels(const Scene& scene, const Analysis& analysis) {
+    LabelTable<std::size_t> pixels;
+    if (!scene.photo || !analysis.front || !analysis.front->depth.sameSize(scene.photo->labels)) return pixels;
+    for (std::size_t i = 0; i < analysis.front->depth.size(); ++i)
+        if (analysis.front->depth[i] > 0) ++pixels[scene.photo->labels[i]];
+    return pixels;
+}
+
+void noteSegment(const Segment& segment, const Analysis& analysis, std::size_t pixels, Notes& notes) {
+    if (pixels == 0) {
+        notes.push_back(Message("messages",
+                                "Segment \"%1\" has no pixel with depth, so it cannot be edited. Give it depth or "
+                                "mark it again.")
+                            .with(segment.name));
+        return;
+    }
+    const Reflectance* found = segment.glossy ? analysis.findReflectance(segment.label) : nullptr;
+    if (found == nullptr) return;
+    const Reflectance& reflectance = *found;
     if (pixels < kFewPixels) {
         notes.push_back(Message("messages",
                                 "Segment \"%1\" is glossy but has only %2 pixels with depth: too few to estimate its "
@@ -99,27 +118,23 @@ void noteReflectance(const Segment& segment, const Reflectance& reflectance, std
 Notes analysisNotes(const Scene& scene, const Analysis& analysis) {
     Notes notes;
     noteLight(scene, analysis, notes);
-    std::map<std::uint16_t, std::size_t> pixels;
-    if (scene.photo && analysis.front)
-        for (std::size_t i = 0; i < analysis.front->depth.size(); ++i)
-            if (analysis.front->depth[i] > 0) ++pixels[scene.photo->labels[i]];
-    for (const Segment& segment : scene.segments) {
-        if (pixels[segment.label] == 0) {
-            notes.push_back(Message("messages",
-                                    "Segment \"%1\" has no pixel with depth, so it cannot be edited. Give it depth or "
-                                    "mark it again.")
-                                .with(segment.name));
-            continue;
-        }
-        const Reflectance* reflectance = segment.glossy ? analysis.findReflectance(segment.label) : nullptr;
-        if (reflectance != nullptr) noteReflectance(segment, *reflectance, pixels[segment.label], notes);
-    }
+    const LabelTable<std::size_t> pixels = depthPixels(scene, analysis);
+    for (const Segment& segment : scene.segments) noteSegment(segment, analysis, pixels[segment.label], notes);
     for (Message& note : maskNotes(scene)) notes.push_back(std::move(note));
     for (const BackSideInfo& info : analysis.backSides) {
         const Segment* segment = scene.findSegment(info.label);
         if (!info.note.empty() && segment != nullptr && segment->edit)
             notes.push_back(Message("messages", "Back side of \"%1\": %2").with(segment->name, info.note));
     }
+    return notes;
+}
+
+Notes glossyNotes(const Scene& scene, const Analysis& analysis) {
+    Notes notes;
+    if (std::ranges::none_of(scene.segments, &Segment::glossy)) return notes;
+    const LabelTable<std::size_t> pixels = depthPixels(scene, analysis);
+    for (const Segment& segment : scene.segments)
+        if (segment.glossy) noteSegment(segment, analysis, pixels[segment.label], notes);
     return notes;
 }
 

@@ -11,4 +11,7 @@ namespace core {
 /// what to do about them. The most important first; empty when there is nothing to say.
 [[nodiscard]] Notes analysisNotes(const Scene& scene, const Analysis& analysis);
 
+/// Those of them that say why a glossy segment tells little or nothing of the light.
+[[nodiscard]] Notes glossyNotes(const Scene& scene, const Analysis& analysis);
+
 }  // namespace core

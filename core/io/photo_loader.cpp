@@ -311,6 +311,12 @@ std::shared_ptr<const ImageRgb> loadEnvironment(const std::string& path) {
     return image;
 }
 
+LabelImage loadLabelMap(const std::string& path, const Camera& camera, Notes* notes) {
+    return enlarge(matchOrientation(loadLabels(path, notes), path, Message("messages", "Label map"), camera,
+                                    readImageInfo(path).orientation, 1, Message("messages", "the photograph")),
+                   camera);
+}
+
 std::shared_ptr<const ImageF> loadBackDepth(const std::string& path, const Camera& camera) {
     const StoredFormat format = storedFormat(path);
     const ImageF depth = planarDepthInside(

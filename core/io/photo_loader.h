@@ -57,4 +57,8 @@ inline constexpr float kMaxDepth = 10000.0f;
 /// photograph's size or smaller. Throws Error(Input).
 [[nodiscard]] std::shared_ptr<const ImageF> loadBackDepth(const std::string& path, const Camera& camera);
 
+/// A label map or mask for a photograph that is open already, of its size or smaller and of its shape. Throws
+/// Error(Input).
+[[nodiscard]] LabelImage loadLabelMap(const std::string& path, const Camera& camera, Notes* notes = nullptr);
+
 }  // namespace core

@@ -9,6 +9,7 @@
 #include "core/base/files.h"
 #include "core/io/image_io.h"
 #include "core/io/json_reader.h"
+#include "core/io/label_map.h"
 #include "core/io/material_json.h"
 #include "core/io/param_json.h"
 #include "core/io/photo_loader.h"
@@ -219,6 +220,14 @@ ordered_json writeScene(const Scene& scene, const fs::path& folder) {
     return result;
 }
 
+/// The scene with a file for its labels, which is written if they have none.
+Scene withLabelFile(const Scene& scene, const std::string& project) {
+    const Photo& photo = *scene.photo;
+    const bool saved = !photo.source.segments.empty() ||
+                       std::ranges::all_of(photo.labels.pixels(), [](std::uint16_t label) { return label == 0; });
+    return saved ? scene : withSavedLabels(scene, project);
+}
+
 Scene sceneOf(std::shared_ptr<const Photo> photo, const CreateOptions& options) {
     Scene scene;
     scene.photo = std::move(photo);
@@ -271,7 +280,7 @@ void saveProject(const Scene& scene, const std::string& path) {
     fs::path folder = fs::path(path).parent_path();
     if (folder.empty()) folder = fs::current_path(code);
     try {
-        writeFileAtomically(path, writeScene(withSavedMasks(scene, path), folder).dump(2) + "\n");
+        writeFileAtomically(path, writeScene(withSavedMasks(withLabelFile(scene, path), path), folder).dump(2) + "\n");
     } catch (const json::exception&) {
         throw Error(
             ErrorKind::Output,

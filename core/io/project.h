@@ -53,7 +53,7 @@ struct CreateOptions {
 inline constexpr std::size_t kMaxProjectBytes = std::size_t{64} << 20U;
 
 /// Writes atomically: a temporary file beside the target, flushed, then renamed; the old file survives any failure.
-/// Painted masks are written first (core/io/mask_io.h).
+/// Labels without a file and painted masks are written first (core/io/label_map.h, core/io/mask_io.h).
 void saveProject(const Scene& scene, const std::string& path);
 
 }  // namespace core

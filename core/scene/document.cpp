@@ -10,12 +10,12 @@ namespace core {
 namespace {
 
 constexpr std::size_t kMaxUndoSteps = 200;
-/// Label maps and selections that the undo history may hold [bytes].
+/// Label maps, segments and selections that the undo history may hold [bytes].
 constexpr std::size_t kMaxUndoBytes = std::size_t{1} << 30U;
 
 /// Bytes of what a step does not share with the next one.
 std::size_t ownBytes(const Scene& scene, const Scene& next) {
-    std::size_t bytes = 0;
+    std::size_t bytes = scene.segments.size() * sizeof(Segment);
     if (scene.photo != nullptr && scene.photo != next.photo)
         bytes += scene.photo->labels.size() * sizeof(std::uint16_t);
     if (scene.selection != nullptr && scene.selection != next.selection) bytes += scene.selection->mask.size();

@@ -36,9 +36,10 @@ void addMissingSegments(Scene& scene) {
     if (!scene.photo) return;
     LabelTable<char> present;
     for (const std::uint16_t label : scene.photo->labels.pixels()) present[label] = 1;
+    for (const Segment& segment : scene.segments) present[segment.label] = 0;
     for (std::size_t label = 1; label < present.size(); ++label) {
         const auto value = static_cast<std::uint16_t>(label);
-        if (present[label] == 0 || scene.findSegment(value) != nullptr) continue;
+        if (present[label] == 0) continue;
         Segment segment;
         segment.label = value;
         segment.name = "segment " + std::to_string(label);

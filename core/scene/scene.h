@@ -34,7 +34,7 @@ struct Words<DepthKind> {
 struct PhotoSource {
     std::string color;     ///< path
     std::string depth;     ///< path, "" when the depth is inside the colour file
-    std::string segments;  ///< path, "" = none
+    std::string segments;  ///< path, "" = none, or not saved yet
     DepthKind depthKind = DepthKind::Z;
     double depthUnit = 1;  ///< metres per stored unit
     bool operator==(const PhotoSource&) const = default;

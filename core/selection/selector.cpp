@@ -174,6 +174,11 @@ Selector::Selector(const SelectionInput& input, const Progress& progress) {
     state_ = std::move(state);
 }
 
+BinaryMask Selector::refine(const BinaryMask& mask, int radius, const Progress& progress) const {
+    CORE_ASSERT(mask.sameSize(state_->lab) && radius > 0, "a selection in this photograph");
+    return refineOutline(mask, state_->lab, 1, radius, {}, progress);
+}
+
 int Selector::width() const { return state_->lab.width(); }
 int Selector::height() const { return state_->lab.height(); }
 

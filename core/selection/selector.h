@@ -32,6 +32,10 @@ class Selector {
     /// Throws Error(Cancelled).
     [[nodiscard]] LabelImage propose(const Progress& progress = {}) const;
 
+    /// `mask`, of the photograph's size, with its outline moved to where the colour changes, by at most `radius`
+    /// pixels, 1 or more. Throws Error(Cancelled).
+    [[nodiscard]] BinaryMask refine(const BinaryMask& mask, int radius, const Progress& progress = {}) const;
+
     [[nodiscard]] int width() const;
     [[nodiscard]] int height() const;
 

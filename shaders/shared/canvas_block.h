@@ -9,6 +9,7 @@
 #define CANVAS_LABELS 1
 #define CANVAS_MASK 2
 #define CANVAS_RULER_IMAGE 3
+#define CANVAS_SELECTION_CODES 4
 
 // Specialization constants, because a software device executes both sides of every branch.
 #define CANVAS_FILTER 0  // 0 = nearest, 1 = bilinear, n > 1 = box of n x n taps
@@ -16,8 +17,15 @@
 
 #define CANVAS_PICTURE_ENCODED 1u  // the picture is display-encoded: no exposure, no transfer function
 #define CANVAS_OUTLINE 2u          // draw the outline of `selected`
-#define CANVAS_OVERLAY 4u          // draw the mask and the brush
+#define CANVAS_OVERLAY 4u          // draw the mask
 #define CANVAS_RULER 8u            // draw the ruler
+#define CANVAS_BRUSH 16u           // draw the brush
+#define CANVAS_SELECTION 32u       // draw what is selected and what would change
+
+// Codes of a pixel in CANVAS_SELECTION_CODES.
+#define SELECTION_IS 1u      // it is selected
+#define SELECTION_JOINS 2u   // it would be selected
+#define SELECTION_LEAVES 4u  // it would not be any longer
 
 KERNEL_BEGIN
 

@@ -10,7 +10,6 @@
 #include <QLabel>
 #include <QScreen>
 #include <QSlider>
-#include <QStackedWidget>
 #include <QTemporaryDir>
 #include <QThread>
 #include <QToolButton>
@@ -42,8 +41,7 @@ class CanvasWindowTest : public testing::Test {
     void SetUp() override {
         window_.resize(1400, 900);
         window_.show();
-        // The device starts with the first photograph; the tests begin with a device.
-        test::child<QStackedWidget>(window_, "pages")->setCurrentWidget(&window_.canvas());
+        test::showCanvas(window_);
         ASSERT_TRUE(window_.canvas().available())
             << test::child<QLabel>(window_, "canvasMessage")->text().toStdString();
         ASSERT_TRUE(test::waitUntil([&] { return !window_.canvas().deviceName().isEmpty(); }, 20000));
@@ -161,8 +159,7 @@ TEST_F(CanvasWindowTest, EditedPictureIsExportedAsTheHeadlessOne) {
     EXPECT_EQ(changedOutside, 0u);
 }
 
-TEST(StartPageTest, GivesWayToTheCanvasOfThePhotograph) {
-    if (QGuiApplication::platformName() == "offscreen") GTEST_SKIP() << "needs a display";
+TEST(CanvasWindowTestStart, GivesWayToTheCanvasOfThePhotograph) {
     ui::MainWindow window;
     window.resize(1000, 700);
     window.show();

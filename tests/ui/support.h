@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QStackedWidget>
 #include <QTest>
 #include <functional>
 #include <string>
@@ -22,6 +23,11 @@ T* child(QObject& parent, const char* name) {
     T* found = parent.findChild<T*>(QString::fromUtf8(name));
     if (found == nullptr) qFatal("no child named %s", name);
     return found;
+}
+
+/// Shows the canvas instead of the start page: its device starts when it is first shown.
+inline void showCanvas(QWidget& window) {
+    child<QStackedWidget>(window, "pages")->setCurrentWidget(child<QWidget>(window, "canvas"));
 }
 
 /// The segment of this name; the label 0 stands for none.

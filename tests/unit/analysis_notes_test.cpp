@@ -54,6 +54,20 @@ TEST(AnalysisNotes, GlossySegmentOfFivePixelsAndOneWithoutDepth) {
     EXPECT_THAT(notes, testing::Contains(HasSubstr("has no pixel with depth")));
 }
 
+TEST(AnalysisNotes, ThoseOfGlossySegmentsAlone) {
+    core::Scene scene = test::stillLife(test::testCamera(80, 60)).scene();
+    scene.environment.height = 32;
+    core::Photo photo = *scene.photo;
+    for (int x = 0; x < 5; ++x) photo.labels(20 + x, 50) = 40;
+    scene.photo = std::make_shared<core::Photo>(photo);
+    core::addMissingSegments(scene);
+    core::AnalysisPipeline pipeline;
+    for (core::Segment& segment : scene.segments) segment.glossy = false;
+    EXPECT_THAT(core::glossyNotes(scene, *pipeline.run(scene)), IsEmpty());
+    scene.findSegment(40)->glossy = true;
+    EXPECT_THAT(core::english(core::glossyNotes(scene, *pipeline.run(scene))), ElementsAre(HasSubstr("only 5 pixels")));
+}
+
 TEST(AnalysisNotes, ClippedLight) {
     core::Scene scene = test::stillLife(test::testCamera(160, 120)).scene();
     scene.environment.height = 32;

@@ -161,3 +161,58 @@ TEST(Document, NothingHappensWhenNothingChangesOrTheChangeThrows) {
     EXPECT_FALSE(document.canUndo());
     EXPECT_EQ(calls, 0);
 }
+
+TEST(Document, SelectingIsUndoneAndIsNoChangeOfTheProject) {
+    core::Document document(makeScene());
+    const auto select = [&](int x) {
+        auto selection = std::make_shared<core::PixelSelection>();
+        selection->mask = core::BinaryMask(2, 1);
+        selection->mask(x, 0) = 1;
+        document.edit("select", [&](core::Scene& scene) { scene.selection = selection; });
+    };
+    select(0);
+    EXPECT_FALSE(document.modified());
+    select(1);
+    EXPECT_EQ(document.scene().selection->mask(1, 0), 1);
+    document.edit("edit", [](core::Scene& scene) { setExponent(scene, 5); });
+    EXPECT_TRUE(document.modified());
+    document.undo();
+    EXPECT_FALSE(document.modified());
+    document.undo();
+    EXPECT_EQ(document.scene().selection->mask(0, 0), 1);
+    document.undo();
+    EXPECT_EQ(document.scene().selection, nullptr);
+    EXPECT_FALSE(document.canUndo());
+    document.redo();
+    EXPECT_NE(document.scene().selection, nullptr);
+    EXPECT_FALSE(document.modified());
+}
+
+// 128 MiB a label map: the first steps are forgotten, the latest can be undone.
+TEST(Document, TheHistoryOfLabelMapsIsBounded) {
+    constexpr int kSide = 8192;
+    core::Scene scene = makeScene();
+    core::Document document(scene);
+    const auto relabel = [&] {
+        auto photo = std::make_shared<core::Photo>(*scene.photo);
+        photo->labels = core::LabelImage(kSide, kSide, 3);
+        document.edit("labels", [&](core::Scene& next) { next.photo = photo; });
+    };
+    for (int i = 0; i < 12; ++i) relabel();
+    int steps = 0;
+    for (; document.canUndo(); ++steps) document.undo();
+    EXPECT_EQ(steps, 8) << "1 GiB";
+}
+
+TEST(Document, CopiesOfAPhotographShareItsPixels) {
+    const core::Scene scene = makeScene();
+    core::Photo copy = *scene.photo;
+    EXPECT_TRUE(copy.color.shares(scene.photo->color));
+    copy.labels(0, 0) = 7;
+    EXPECT_TRUE(copy.color.shares(scene.photo->color));
+    EXPECT_EQ(scene.photo->labels(0, 0), 3);
+    copy.color(0, 0) = {9, 9, 9};
+    EXPECT_FALSE(copy.color.shares(scene.photo->color)) << "what is written to is its own";
+    EXPECT_EQ(scene.photo->color(0, 0), core::Vector3f(1, 1, 1));
+    EXPECT_TRUE(copy.depth.shares(scene.photo->depth));
+}

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "core/io/photo_loader.h"
 #include "core/material/brdf.h"
 #include "core/material/translucency.h"
+#include "core/scene/segments.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/image_files.h"
 #include "tests/support/other_value.h"
@@ -125,8 +127,8 @@ TEST_F(ProjectTest, SavedProjectLoadsAsTheSameScene) {
     ASSERT_TRUE(loaded.backDepth);
     EXPECT_EQ((*loaded.backDepth)(2, 1), 9);
     EXPECT_EQ(loaded.photo->camera, scene.photo->camera);
-    EXPECT_EQ(loaded.photo->depth, scene.photo->depth);
-    EXPECT_EQ(loaded.photo->color, scene.photo->color);
+    EXPECT_EQ(loaded.photo->depth.image(), scene.photo->depth.image());
+    EXPECT_EQ(loaded.photo->color.image(), scene.photo->color.image());
     EXPECT_EQ(loaded.photo->labels, scene.photo->labels);
     EXPECT_EQ(json::parse(test::readBytes(folder / "sub/p.patina"))["photo"]["color"], "../color.pfm");
 
@@ -254,6 +256,43 @@ TEST_F(ProjectTest, ProjectAndImagesMoveTogether) {
     core::saveProject(core::createScene(create), folder / "old/p.patina");
     std::filesystem::rename(folder / "old", folder / "new");
     EXPECT_EQ(core::loadProject(folder / "new/p.patina").photo->depth(0, 0), 1);
+}
+
+TEST_F(ProjectTest, ChangedLabelsAreSavedBesideTheProject) {
+    const core::Scene scene = core::createScene(options());
+    core::BinaryMask mask(4, 2);
+    mask(0, 0) = 1;
+    const core::Scene changed = core::withSegment(scene, mask, "corner");
+    core::saveProject(changed, folder / "p.patina");
+    const core::Scene loaded = core::loadProject(folder / "p.patina");
+    EXPECT_EQ(loaded.photo->labels, changed.photo->labels);
+    EXPECT_EQ(loaded.segments, changed.segments);
+    const std::string file = loaded.photo->source.segments;
+    EXPECT_NE(file.find("p.segments-"), std::string::npos) << file;
+    const std::string bytes = test::readBytes(file);
+    core::saveProject(loaded, folder / "p.patina");
+    core::saveProject(changed, folder / "p.patina");
+    EXPECT_EQ(core::loadProject(folder / "p.patina").photo->source.segments, file);
+    EXPECT_EQ(test::readBytes(file), bytes);
+    EXPECT_EQ(core::loadProject(folder / "p.patina").photo->labels, changed.photo->labels);
+    EXPECT_EQ(core::createScene(options()).photo->labels, scene.photo->labels) << "the first map is untouched";
+    const core::Scene none = core::deleteSegments(scene, std::vector<std::uint16_t>{1, 2});
+    core::saveProject(none, folder / "none.patina");
+    EXPECT_TRUE(core::loadProject(folder / "none.patina").segments.empty());
+}
+
+TEST_F(ProjectTest, AMapForAnOpenPhotographHasItsShape) {
+    core::Camera camera;
+    camera.width = 8;
+    camera.height = 4;
+    const core::LabelImage labels = core::loadLabelMap(folder / "labels.pgm", camera);
+    ASSERT_EQ(labels.width(), 8);
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 8; ++x)
+            EXPECT_EQ(labels(x, y), std::array<int, 4>{0, 1, 1, 2}[static_cast<std::size_t>(x / 2)]);
+    camera.height = 8;
+    test::expectError(ErrorKind::Input, {"labels.pgm", "4x2", "8x8"},
+                      [&] { (void)core::loadLabelMap(folder / "labels.pgm", camera); });
 }
 
 TEST_F(ProjectTest, TheBundledSampleLoads) {

@@ -94,6 +94,9 @@ Canvas::Canvas(QVulkanInstance* instance, const QString& problem, const QString&
     connect(window_, &CanvasWindow::strokeBegan, this, &Canvas::strokeBegan);
     connect(window_, &CanvasWindow::strokeMoved, this, &Canvas::strokeMoved);
     connect(window_, &CanvasWindow::strokeEnded, this, &Canvas::strokeEnded);
+    connect(window_, &CanvasWindow::doubleClicked, this, &Canvas::doubleClicked);
+    connect(window_, &CanvasWindow::hovered, this, &Canvas::hovered);
+    connect(window_, &CanvasWindow::hoverEnded, this, &Canvas::hoverEnded);
     connect(window_, &CanvasWindow::pressed, this, [this] { setFocus(Qt::MouseFocusReason); });
     // Queued, because the window must not be hidden while it draws.
     connect(
@@ -142,11 +145,19 @@ void Canvas::setPhoto(std::shared_ptr<const core::Photo> photo) {
     state.selected = 0;
     state.mask.reset();
     state.cursorInside = false;
+    if (state.photo != nullptr) state.overlay.reset(state.photo->color.width(), state.photo->color.height());
     state.view.fit();
     restarts_ = 0;
     if (window_->renderer() != nullptr) window_->renderer()->retry();
     stack_->setCurrentWidget(container_);
     window_->updateSizes();
+}
+
+void Canvas::setLabels(std::shared_ptr<const core::Photo> photo) {
+    if (window_ == nullptr || window_->state().photo == photo) return;
+    CORE_ASSERT(photo != nullptr && window_->state().photo != nullptr, "a photograph");
+    window_->state().photo = std::move(photo);
+    setSelection(window_->state().selected);
 }
 
 void Canvas::setOriginal(std::shared_ptr<const CanvasPicture> picture) {
@@ -220,10 +231,28 @@ void Canvas::setMask(std::shared_ptr<const core::Mask> mask) {
     window_->redraw();
 }
 
-void Canvas::setBrushRadius(float radius) {
+void Canvas::setPointer(const Pointer& pointer) {
     if (window_ == nullptr) return;
-    window_->setBrushRadius(radius);
+    window_->setPointer(pointer);
 }
+
+void Canvas::setHand(bool held) {
+    if (window_ == nullptr) return;
+    window_->setHand(held);
+}
+
+void Canvas::showSelection(const core::BinaryMask* selected, const core::BinaryMask* preview,
+                           const core::PixelBox* part) {
+    if (window_ == nullptr || window_->state().photo == nullptr) return;
+    PixelOverlay& overlay = window_->state().overlay;
+    if (part != nullptr)
+        overlay.showPart(selected, preview, *part);
+    else
+        overlay.show(selected, preview);
+    window_->redraw();
+}
+
+const PixelOverlay* Canvas::overlay() const { return window_ != nullptr ? &window_->state().overlay : nullptr; }
 
 void Canvas::setPicking(bool picking) {
     if (window_ == nullptr) return;

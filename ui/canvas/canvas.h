@@ -33,6 +33,8 @@ class Canvas : public QWidget {
 
     /// Another photograph; drops result and pictures. nullptr = no project open.
     void setPhoto(std::shared_ptr<const core::Photo> photo);
+    /// The same photograph with other labels: everything else stays as it is.
+    void setLabels(std::shared_ptr<const core::Photo> photo);
     /// The photograph as picture, for comparison and until there is a result.
     void setOriginal(std::shared_ptr<const CanvasPicture> picture);
     /// Picture of a layer other than result and original.
@@ -50,8 +52,15 @@ class Canvas : public QWidget {
     void setOutlineShown(bool shown);
     /// A mask over the picture in red; nullptr = none.
     void setMask(std::shared_ptr<const core::Mask> mask);
-    /// Radius [picture pixels] of the brush that the left button paints with; 0 = it selects and moves the picture.
-    void setBrushRadius(float radius);
+    /// What the pointer does, and how it looks.
+    void setPointer(const Pointer& pointer);
+    /// While `held`, the left button moves the picture.
+    void setHand(bool held);
+    /// Marks what is selected and what it would become; nullptr: nothing is selected, nothing is previewed. With
+    /// `part`, both are as before outside this box.
+    void showSelection(const core::BinaryMask* selected, const core::BinaryMask* preview,
+                       const core::PixelBox* part = nullptr);
+    [[nodiscard]] const PixelOverlay* overlay() const;
     /// True: a click gives `pixelPicked` instead of selecting.
     void setPicking(bool picking);
     /// A ruler in a corner, for `millimetres` a picture pixel; 0 = none.
@@ -82,10 +91,15 @@ class Canvas : public QWidget {
     void segmentClicked(quint16 label);
     void pixelPicked(int x, int y);
     void zoomChanged(double zoom);
-    /// A stroke of the brush, in continuous picture coordinates; `inverted`: Shift was held.
-    void strokeBegan(const QPointF& position, bool inverted);
+    /// A stroke, in continuous picture coordinates, which may lie outside the picture.
+    void strokeBegan(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void strokeMoved(const QPointF& position);
     void strokeEnded();
+    /// The second press of a double click, in place of `strokeBegan`.
+    void doubleClicked(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    /// The pointer moved over the picture's surroundings or the picture without a button, and it left them.
+    void hovered(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    void hoverEnded();
     /// The device failed; the canvas shows the sentence until the next deviceReady.
     void failed(const QString& sentence);
 

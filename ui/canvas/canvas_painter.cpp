@@ -47,6 +47,9 @@ CanvasPainter::CanvasPainter(gpu::Device device) : device_(std::move(device)) {
                                                                .type = gpu::BindingType::SampledTexture},
                                                               {.binding = CANVAS_RULER_IMAGE,
                                                                .visibility = gpu::ShaderStage::Fragment,
+                                                               .type = gpu::BindingType::SampledTexture},
+                                                              {.binding = CANVAS_SELECTION_CODES,
+                                                               .visibility = gpu::ShaderStage::Fragment,
                                                                .type = gpu::BindingType::SampledTexture}}});
     layout_ = device_.createPipelineLayout(
         {.label = "canvas", .bindGroupLayouts = {groupLayout_}, .immediateSize = sizeof(kernel::CanvasBlock)});
@@ -65,6 +68,7 @@ void CanvasPainter::record(const gpu::CommandEncoder& encoder, const CanvasState
     const bool resized = resizeScreen(size);
     updateLabels(state);
     updateMask(state);
+    updateSelection(state);
     updateRuler(state, ratio);
     const Source source = sourceOf(state, result);
     const bool rebound = bind(source.texture);
@@ -94,7 +98,7 @@ bool CanvasPainter::resizeScreen(QSize size) {
 }
 
 CanvasPainter::Source CanvasPainter::sourceOf(const CanvasState& state, const gpu::Texture& result) {
-    const unsigned overlay = mask_ && state.brushRadius > 0 ? CANVAS_OVERLAY : 0U;
+    const unsigned overlay = (mask_ ? CANVAS_OVERLAY : 0U) | (state.brushRadius > 0 ? CANVAS_BRUSH : 0U);
     if (state.photo == nullptr) return {black_, false, overlay};
     const bool asResult = state.layer == ViewLayer::Result;
     if (state.comparing || state.layer == ViewLayer::Original || (asResult && !result))
@@ -108,15 +112,19 @@ CanvasPainter::Source CanvasPainter::sourceOf(const CanvasState& state, const gp
 bool CanvasPainter::bind(const gpu::Texture& picture) {
     const gpu::Texture& mask = mask_ ? mask_ : noMask_;
     const gpu::Texture& ruler = ruler_ ? ruler_ : black_;
-    if (bindGroup_ && picture == boundPicture_ && labels_ == boundLabels_ && mask == boundMask_ && ruler == boundRuler_)
+    const gpu::Texture& selection = selection_ ? selection_ : black_;
+    if (bindGroup_ && picture == boundPicture_ && labels_ == boundLabels_ && mask == boundMask_ &&
+        ruler == boundRuler_ && selection == boundSelection_)
         return false;
-    bindGroup_ =
-        device_.createBindGroup({.label = "canvas",
-                                 .layout = groupLayout_,
-                                 .entries = {{.binding = CANVAS_PICTURE, .textureView = picture.createView()},
-                                             {.binding = CANVAS_LABELS, .textureView = labels_.createView()},
-                                             {.binding = CANVAS_MASK, .textureView = mask.createView()},
-                                             {.binding = CANVAS_RULER_IMAGE, .textureView = ruler.createView()}}});
+    bindGroup_ = device_.createBindGroup(
+        {.label = "canvas",
+         .layout = groupLayout_,
+         .entries = {{.binding = CANVAS_PICTURE, .textureView = picture.createView()},
+                     {.binding = CANVAS_LABELS, .textureView = labels_.createView()},
+                     {.binding = CANVAS_MASK, .textureView = mask.createView()},
+                     {.binding = CANVAS_RULER_IMAGE, .textureView = ruler.createView()},
+                     {.binding = CANVAS_SELECTION_CODES, .textureView = selection.createView()}}});
+    boundSelection_ = selection;
     boundMask_ = mask;
     boundRuler_ = ruler;
     boundPicture_ = picture;
@@ -128,12 +136,19 @@ void CanvasPainter::drawPicture(const gpu::RenderPassEncoder& pass, const Canvas
     const double zoom = state.view.zoom();
     const int filter = zoom >= 2 ? 0 : zoom >= 1 ? 1 : std::min(static_cast<int>(std::ceil(1 / zoom)), kMaxTaps);
     const QRect whole(0, 0, state.photo->color.width(), state.photo->color.height());
-    QRect outlined;
-    if (state.outlineShown && !state.selectedBounds.isEmpty())
-        outlined = reachOf(toView(state.view, state.selectedBounds));
-    for (const QRect& part : QRegion(toView(state.view, whole).toAlignedRect()).subtracted(outlined))
+    unsigned marks = 0;
+    QRect marked;
+    if (state.outlineShown && !state.selectedBounds.isEmpty()) {
+        marked = reachOf(toView(state.view, state.selectedBounds));
+        marks |= CANVAS_OUTLINE;
+    }
+    if (const core::PixelBox& box = state.overlay.bounds(); !box.empty()) {
+        marked |= reachOf(toView(state.view, QRect(QPoint(box.x0, box.y0), QPoint(box.x1, box.y1))));
+        marks |= CANVAS_SELECTION;
+    }
+    for (const QRect& part : QRegion(toView(state.view, whole).toAlignedRect()).subtracted(marked))
         drawPart(pass, state, part, filter, flags);
-    if (!outlined.isEmpty()) drawPart(pass, state, outlined, filter, flags |= CANVAS_OUTLINE);
+    if (!marked.isEmpty()) drawPart(pass, state, marked, filter, flags |= marks);
     drawPart(pass, state, rulerPlace(state), filter, flags | CANVAS_RULER);
 }
 
@@ -176,6 +191,28 @@ void CanvasPainter::updateMask(const CanvasState& state) {
         for (int x = 0; x < mask->width(); ++x) rows.push_back(mask->value(x, y));
     device_.queue().writeTexture({.texture = mask_, .origin = {0, static_cast<std::uint32_t>(first), 0}}, rows.data(),
                                  rows.size() * sizeof(float), {}, {width, static_cast<std::uint32_t>(last - first), 1});
+}
+
+void CanvasPainter::updateSelection(const CanvasState& state) {
+    const core::Image<std::uint8_t>& codes = state.overlay.codes();
+    if (codes.empty()) return;
+    const auto width = static_cast<std::uint32_t>(codes.width()), height = static_cast<std::uint32_t>(codes.height());
+    auto [first, last] = state.overlay.takeChangedRows();
+    // Without marks the texture is not drawn, so it need not exist.
+    if (!selection_ && state.overlay.bounds().empty()) return;
+    if (!selection_ || selection_.width() != width || selection_.height() != height) {
+        selection_ = device_.createTexture({.label = "canvas selection",
+                                            .size = {width, height, 1},
+                                            .format = gpu::TextureFormat::R8Unorm,
+                                            .usage = gpu::TextureUsage::TextureBinding | gpu::TextureUsage::CopyDst});
+        first = 0;
+        last = codes.height();
+    }
+    if (first >= last) return;
+    const std::size_t begin = codes.index(0, first);
+    const std::size_t bytes = std::size_t{width} * static_cast<std::size_t>(last - first);
+    device_.queue().writeTexture({.texture = selection_, .origin = {0, static_cast<std::uint32_t>(first), 0}},
+                                 codes.data() + begin, bytes, {}, {width, static_cast<std::uint32_t>(last - first), 1});
 }
 
 void CanvasPainter::updateRuler(const CanvasState& state, double ratio) {

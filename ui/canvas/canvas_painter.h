@@ -45,6 +45,7 @@ class CanvasPainter {
     void drawPicture(const gpu::RenderPassEncoder& pass, const CanvasState& state, unsigned flags);
     void updateLabels(const CanvasState& state);
     void updateMask(const CanvasState& state);
+    void updateSelection(const CanvasState& state);
     void updateRuler(const CanvasState& state, double ratio);
     /// Place of the ruler in the view [device pixels]; empty without one.
     [[nodiscard]] QRect rulerPlace(const CanvasState& state) const;
@@ -76,6 +77,7 @@ class CanvasPainter {
     std::shared_ptr<const core::Mask> maskOf_;
     gpu::Texture mask_;
     gpu::Texture noMask_;
+    gpu::Texture selection_;
     Ruler rulerOf_;
     gpu::Texture ruler_;  ///< empty without one
     gpu::Texture black_;
@@ -83,6 +85,7 @@ class CanvasPainter {
     gpu::Texture boundLabels_;
     gpu::Texture boundMask_;
     gpu::Texture boundRuler_;
+    gpu::Texture boundSelection_;
     gpu::BindGroup bindGroup_;
 };
 

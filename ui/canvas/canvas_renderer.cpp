@@ -130,7 +130,9 @@ void CanvasRenderer::step() {
 }
 
 double CanvasRenderer::takeScene() {
-    if (state_.photo != rendererPhoto_) {
+    const bool otherPicture =
+        rendererPhoto_ == nullptr || state_.photo == nullptr || !state_.photo->color.shares(rendererPhoto_->color);
+    if (otherPicture && state_.photo != rendererPhoto_) {
         // The old photograph's picture must not be shown any longer.
         renderer_.reset();
         rendererPhoto_ = state_.photo;

@@ -10,6 +10,7 @@
 #include "core/analysis/analysis.h"
 #include "core/scene/mask.h"
 #include "core/scene/scene.h"
+#include "ui/canvas/pixel_overlay.h"
 #include "ui/canvas/view_layer.h"
 #include "ui/canvas/view_transform.h"
 
@@ -23,6 +24,14 @@ struct CanvasPicture {
     bool displayEncoded = false;
 };
 [[nodiscard]] std::shared_ptr<const CanvasPicture> makeCanvasPicture(const LayerPicture& picture);
+
+/// What the pointer does on the picture.
+struct Pointer {
+    bool strokes = false;   ///< the left button draws strokes; otherwise it selects segments and moves the picture
+    float brushRadius = 0;  ///< [picture pixels] of the circle around it; 0 = none
+    Qt::CursorShape shape = Qt::ArrowCursor;
+    bool operator==(const Pointer&) const = default;
+};
 
 /// The picture pixel under the pointer.
 struct CursorValue {
@@ -51,8 +60,10 @@ struct CanvasState {
     bool comparing = false;
     std::shared_ptr<const core::Mask> mask;  ///< shown in red
     float brushRadius = 0;                   ///< [picture pixels]; 0 = no brush
-    QPointF brushCenter;                     ///< picture position under the pointer
-    double rulerMillimetres = 0;             ///< size of a picture pixel [mm]; 0 = no ruler
+    /// Selected pixels. Mutable, because the painter notes what it has seen.
+    mutable PixelOverlay overlay;
+    QPointF brushCenter;          ///< picture position under the pointer
+    double rulerMillimetres = 0;  ///< size of a picture pixel [mm]; 0 = no ruler
     ViewTransform view;
     QPoint cursor;  ///< picture pixel under the pointer
     bool cursorInside = false;

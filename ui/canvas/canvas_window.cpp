@@ -40,14 +40,22 @@ void CanvasWindow::updateSizes() {
     redraw();
 }
 
-void CanvasWindow::setBrushRadius(float radius) {
-    state_.brushRadius = radius;
+void CanvasWindow::setPointer(const Pointer& pointer) {
+    if (pointer == pointer_) return;
+    pointer_ = pointer;
+    state_.brushRadius = pointer.brushRadius;
     if (!dragging_) updateCursorShape();
-    if (radius <= 0 && painting_) {
+    if (!pointer.strokes && painting_) {
         painting_ = false;
         emit strokeEnded();
     }
     redraw();
+}
+
+void CanvasWindow::setHand(bool held) {
+    if (held == hand_) return;
+    hand_ = held;
+    if (!dragging_) updateCursorShape();
 }
 
 void CanvasWindow::setPicking(bool picking) {
@@ -56,10 +64,7 @@ void CanvasWindow::setPicking(bool picking) {
 }
 
 void CanvasWindow::updateCursorShape() {
-    if (state_.brushRadius > 0 || picking_)
-        setCursor(Qt::CrossCursor);
-    else
-        unsetCursor();
+    setCursor(hand_ ? Qt::OpenHandCursor : picking_ ? Qt::CrossCursor : pointer_.shape);
 }
 
 void CanvasWindow::resizeEvent(QResizeEvent* event) {
@@ -90,10 +95,11 @@ void CanvasWindow::mousePressEvent(QMouseEvent* event) {
     pressPosition_ = event->position();
     lastPosition_ = event->position();
     dragging_ = false;
-    if (event->button() == Qt::LeftButton && !picking_ && state_.brushRadius > 0 && state_.photo != nullptr) {
+    const bool draws = pointer_.strokes && !picking_ && !hand_ && state_.photo != nullptr;
+    if (event->button() == Qt::LeftButton && draws) {
         painting_ = true;
         moveCursor(event->position());
-        emit strokeBegan(state_.brushCenter, event->modifiers().testFlag(Qt::ShiftModifier));
+        emit strokeBegan(state_.brushCenter, event->modifiers());
         return;
     }
     if (event->button() == Qt::RightButton) {
@@ -122,6 +128,8 @@ void CanvasWindow::mouseMoveEvent(QMouseEvent* event) {
         }
     }
     moveCursor(position);
+    if (event->buttons() == Qt::NoButton && state_.photo != nullptr)
+        emit hovered(state_.brushCenter, event->modifiers());
 }
 
 void CanvasWindow::mouseReleaseEvent(QMouseEvent* event) {
@@ -140,7 +148,7 @@ void CanvasWindow::mouseReleaseEvent(QMouseEvent* event) {
         updateCursorShape();
         return;
     }
-    if (event->button() != Qt::LeftButton || state_.photo == nullptr) return;
+    if (event->button() != Qt::LeftButton || state_.photo == nullptr || hand_) return;
     moveCursor(event->position());
     if (picking_) {
         if (state_.cursorInside) emit pixelPicked(state_.cursor.x(), state_.cursor.y());
@@ -153,8 +161,10 @@ void CanvasWindow::mouseReleaseEvent(QMouseEvent* event) {
 
 void CanvasWindow::mouseDoubleClickEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
-    if (state_.brushRadius > 0) {
-        mousePressEvent(event);
+    if (pointer_.strokes && !hand_) {
+        painting_ = true;
+        moveCursor(event->position());
+        emit doubleClicked(state_.brushCenter, event->modifiers());
         return;
     }
     if (state_.view.fitted()) {
@@ -177,7 +187,10 @@ void CanvasWindow::wheelEvent(QWheelEvent* event) {
 }
 
 bool CanvasWindow::event(QEvent* event) {
-    if (event->type() == QEvent::Leave) setCursorOutside();
+    if (event->type() == QEvent::Leave) {
+        setCursorOutside();
+        emit hoverEnded();
+    }
     return QVulkanWindow::event(event);
 }
 

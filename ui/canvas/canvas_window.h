@@ -25,8 +25,9 @@ class CanvasWindow : public QVulkanWindow {
     void redraw();
     /// View and picture sizes changed.
     void updateSizes();
-    void setBrushRadius(float radius);
+    void setPointer(const Pointer& pointer);
     void setPicking(bool picking);
+    void setHand(bool held);
 
   signals:
     void deviceReady(const QString& name);
@@ -39,9 +40,12 @@ class CanvasWindow : public QVulkanWindow {
     void segmentClicked(quint16 label);
     void pixelPicked(int x, int y);
     void zoomChanged(double zoom);
-    void strokeBegan(const QPointF& position, bool inverted);
+    void strokeBegan(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void strokeMoved(const QPointF& position);
     void strokeEnded();
+    void hovered(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    void hoverEnded();
+    void doubleClicked(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void failed(const QString& sentence);
     /// The user pressed on the picture: the widget around should take the keyboard focus.
     void pressed();
@@ -66,8 +70,10 @@ class CanvasWindow : public QVulkanWindow {
     QPointF pressPosition_;
     QPointF lastPosition_;
     bool dragging_ = false;
+    Pointer pointer_;
     bool painting_ = false;  ///< a stroke is being drawn
     bool picking_ = false;   ///< a click gives its pixel
+    bool hand_ = false;      ///< the left button moves the picture, whatever else it would do
 };
 
 }  // namespace ui

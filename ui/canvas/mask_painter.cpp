@@ -11,6 +11,7 @@ constexpr qint64 kMaxWait = 1000;
 MaskPainter::MaskPainter(Workspace& workspace, Canvas& canvas, QObject* parent)
     : QObject(parent), workspace_(workspace), canvas_(canvas) {
     connect(&canvas, &Canvas::strokeBegan, this, &MaskPainter::begin);
+    connect(&canvas, &Canvas::doubleClicked, this, &MaskPainter::begin);
     connect(&canvas, &Canvas::strokeMoved, this, &MaskPainter::move);
     connect(&canvas, &Canvas::strokeEnded, this, &MaskPainter::end);
     connect(&canvas, &Canvas::progressChanged, this, &MaskPainter::publishWhenShown);
@@ -18,12 +19,12 @@ MaskPainter::MaskPainter(Workspace& workspace, Canvas& canvas, QObject* parent)
     connect(&workspace, &Workspace::sceneChanged, this, &MaskPainter::refresh);
 }
 
-void MaskPainter::begin(const QPointF& position, bool inverted) {
+void MaskPainter::begin(const QPointF& position, Qt::KeyboardModifiers modifiers) {
     const core::Drive* drive = workspace_.paintedDrive();
     if (drive == nullptr) return;
     photo_ = workspace_.scene().photo;
     core::Brush brush = workspace_.brush();
-    if (inverted) brush.erase = !brush.erase;
+    if (modifiers.testFlag(Qt::ShiftModifier)) brush.erase = !brush.erase;
     stroke_.emplace(*drive->mask, brush, photo_->labels, workspace_.selectedLabel());
     ++strokes_;
     published_.start();
@@ -71,7 +72,6 @@ void MaskPainter::publish() {
 
 void MaskPainter::refresh() {
     const core::Drive* drive = workspace_.paintedDrive();
-    canvas_.setBrushRadius(drive != nullptr ? workspace_.brush().radius : 0);
     if (drive == nullptr) {
         stroke_.reset();
         canvas_.setMask(nullptr);

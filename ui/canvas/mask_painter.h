@@ -21,7 +21,7 @@ class MaskPainter : public QObject {
     MaskPainter(Workspace& workspace, Canvas& canvas, QObject* parent = nullptr);
 
   private:
-    void begin(const QPointF& position, bool inverted);
+    void begin(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void move(const QPointF& position);
     void end();
     /// Hands the mask of the stroke to the document.

@@ -116,7 +116,7 @@ LayerPicture makeLayerPicture(ViewLayer layer, const core::Photo& photo, const c
         case ViewLayer::Original:
             break;
         case ViewLayer::Depth: {
-            const core::ImageF& depth = known ? analysis->front->depth : photo.depth;
+            const core::ImageF& depth = known ? analysis->front->depth : photo.depth.image();
             return {depthPicture(depth, depth), true};
         }
         case ViewLayer::Normals:

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+#include "ui/tools/brush_tool.h"
+#include "ui/tools/selection_session.h"
+#include "ui/tools/tool.h"
+
+class QAction;
+class QActionGroup;
+class QKeyEvent;
+class QLabel;
+class QMainWindow;
+class QMenu;
+class QStackedWidget;
+class QToolBar;
+
+namespace ui {
+
+/// The tools of a window: their buttons, options and keys, and the menu of what can be done with a selection. Hands
+/// what happens on the canvas to the active tool.
+class ToolBox : public QObject {
+    Q_OBJECT
+  public:
+    ToolBox(Workspace& workspace, Canvas& canvas, QObject* parent = nullptr);
+
+    [[nodiscard]] SelectionSession& session() { return session_; }
+    /// Fills the menu "Select".
+    void fillMenu(QMenu& menu);
+    /// Adds the bars for tools and options to the window. After `fillMenu`.
+    void addBars(QMainWindow& window);
+    /// `key` of a tool's row.
+    void choose(const QString& key);
+    [[nodiscard]] QString chosen() const;
+    /// Keys while the picture has the focus. False: not a key of the tools.
+    bool pressKey(const QKeyEvent& event);
+    bool releaseKey(const QKeyEvent& event);
+
+  private:
+    [[nodiscard]] Tool& tool() const { return *tools_[active_]; }
+    /// Whether strokes go to the active tool, rather than to a mask that is painted.
+    [[nodiscard]] bool drawing() const;
+    void activate(std::size_t index);
+    void fillOperations(QMenu& menu);
+    void fillSegmentActions(QMenu& menu);
+    void addOperation(QMenu& menu, const QString& key, const QString& text, const QKeySequence& shortcut,
+                      const QString& help, SelectionSession::Operation operation);
+    void connectCanvas();
+    void followDocument();
+    void refresh();
+    void refreshPointer();
+    void rehover(Qt::KeyboardModifiers modifiers);
+    void addUses(QToolBar& bar);
+
+    Workspace& workspace_;
+    Canvas& canvas_;
+    SelectionSession session_;
+    BrushOptions brush_;
+    std::vector<Tool*> tools_;
+    std::size_t active_ = 0;
+    QActionGroup* buttons_ = nullptr;
+    QActionGroup* uses_ = nullptr;
+    QAction* usesPlace_ = nullptr;
+    QAction* clear_ = nullptr;
+    QAction* selectAll_ = nullptr;
+    QAction* makeSegment_ = nullptr;
+    QAction* findObjects_ = nullptr;
+    std::vector<QAction*> operations_;      ///< need a selection
+    std::vector<QAction*> segmentChanges_;  ///< need a selection and a segment
+    QStackedWidget* options_ = nullptr;
+    QLabel* hint_ = nullptr;
+    QPointF pointer_;  ///< latest position in the picture
+    bool hovering_ = false;
+};
+
+}  // namespace ui
