@@ -18,6 +18,7 @@
 #include <QScrollArea>
 #include <QSettings>
 #include <QSignalBlocker>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QVulkanInstance>
 #include <algorithm>
@@ -31,6 +32,7 @@
 #include "ui/canvas/mask_painter.h"
 #include "ui/canvas/substance_ruler.h"
 #include "ui/panels/registry.h"
+#include "ui/start_page.h"
 #include "ui/tools/tool_box.h"
 #include "ui/vulkan_support.h"
 #include "ui/widgets/notice_button.h"
@@ -55,7 +57,7 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWin
         }
     }
     canvas_ = new Canvas(vulkan_.get(), problem, options_.device, this);
-    setCentralWidget(canvas_);
+    makeCentral();
     painter_ = new MaskPainter(workspace_, *canvas_, this);
     ruler_ = new SubstanceRuler(workspace_, *canvas_, this);
     toolBox_ = new ToolBox(workspace_, *canvas_, this);
@@ -102,7 +104,7 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWin
             [this](double zoom) { zoomLabel_->setText(tr("%1 %").arg(zoom * 100, 0, 'f', zoom < 0.1 ? 1 : 0)); });
     readSettings();
     // Otherwise the first number in a panel would have the focus, and with it the wheel.
-    canvas_->setFocus();
+    pages_->currentWidget()->setFocus();
     updateTitle();
     updateActions();
     updateProgress();
@@ -118,6 +120,19 @@ MainWindow::~MainWindow() {
     delete painter_;
     delete ruler_;
     delete canvas_;
+}
+
+void MainWindow::makeCentral() {
+    pages_ = new QStackedWidget(this);
+    pages_->setObjectName(QStringLiteral("pages"));
+    start_ = new StartPage(pages_);
+    pages_->addWidget(start_);
+    pages_->addWidget(canvas_);
+    setCentralWidget(pages_);
+    connect(start_, &StartPage::openPressed, this, &MainWindow::chooseOpen);
+    connect(start_, &StartPage::recentChosen, this, &MainWindow::openRecent);
+    connect(start_, &StartPage::sampleChosen, this, &MainWindow::openSample);
+    connect(start_, &StartPage::recentRemoved, this, &MainWindow::refreshRecent);
 }
 
 bool MainWindow::settled() const {
@@ -194,6 +209,10 @@ void MainWindow::documentReplaced() {
     shownScene_ = {};
     shownAnalysis_.reset();
     canvas_->setPhoto(workspace_.scene().photo);
+    if (pages_->currentWidget() != canvas_) {
+        pages_->setCurrentWidget(canvas_);
+        canvas_->setFocus();
+    }
     notices_->setNotices(QStringLiteral("analysis"), {});
     updateTitle();
 }

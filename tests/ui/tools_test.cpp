@@ -35,12 +35,12 @@ class CanvasWindowTestTools : public testing::Test {
     void SetUp() override {
         window_.resize(1400, 900);
         window_.show();
-        // A virtual display has no window manager to do it.
-        QApplication::setActiveWindow(&window_);
         ASSERT_TRUE(window_.canvas().available());
-        ASSERT_TRUE(test::waitUntil([&] { return !window_.canvas().deviceName().isEmpty(); }, 20000));
         window_.openFile(kStudio);
         ASSERT_TRUE(test::waitUntil([&] { return window_.workspace().hasPhoto(); }, 30000));
+        ASSERT_TRUE(test::waitUntil([&] { return !window_.canvas().deviceName().isEmpty(); }, 20000));
+        // A virtual display has no window manager to do it.
+        QApplication::setActiveWindow(&window_);
         window_.workspace().editScene("samples", [](core::Scene& scene) { scene.render.samples = 1; });
         document().setSaved(document().path());
         for (QWindow* each : QGuiApplication::allWindows())
