@@ -45,7 +45,7 @@ class CanvasWindowTestFirstEdit : public testing::Test {
     void picture(const Subject& subject, const char* step) {
         QTest::qWait(300);
         window_.screen()->grabWindow(0).save(
-            QStringLiteral("first_edit/%1_%2.png").arg(QString::fromUtf8(subject.name), QString::fromUtf8(step)));
+            QStringLiteral("first_edit/%1_%2.jpg").arg(QString::fromUtf8(subject.name), QString::fromUtf8(step)), nullptr, 90);
     }
     void click(QWidget* widget, const QPoint& place) {
         QTest::mouseClick(widget, Qt::LeftButton, {}, place);
