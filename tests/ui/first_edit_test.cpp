@@ -45,7 +45,8 @@ class CanvasWindowTestFirstEdit : public testing::Test {
     void picture(const Subject& subject, const char* step) {
         QTest::qWait(300);
         window_.screen()->grabWindow(0).save(
-            QStringLiteral("first_edit/%1_%2.jpg").arg(QString::fromUtf8(subject.name), QString::fromUtf8(step)), nullptr, 90);
+            QStringLiteral("first_edit/%1_%2.jpg").arg(QString::fromUtf8(subject.name), QString::fromUtf8(step)),
+            nullptr, 90);
     }
     void click(QWidget* widget, const QPoint& place) {
         QTest::mouseClick(widget, Qt::LeftButton, {}, place);
@@ -107,7 +108,8 @@ class CanvasWindowTestFirstEdit : public testing::Test {
         auto* list = test::child<QAbstractItemView>(window_, "segmentList");
         int glossy = -1;
         for (int column = 0; column < list->model()->columnCount(); ++column)
-            if (list->model()->headerData(column, Qt::Horizontal).toString() == QLatin1String("Glossy")) glossy = column;
+            if (list->model()->headerData(column, Qt::Horizontal).toString() == QLatin1String("Glossy"))
+                glossy = column;
         ASSERT_GE(glossy, 0);
         const QRect cell = list->visualRect(list->model()->index(0, glossy));
         ASSERT_FALSE(cell.isEmpty());
@@ -164,13 +166,13 @@ TEST_P(CanvasWindowTestFirstEditPhotographs, TakesEightActions) {
     firstEdit(subject);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    CanvasWindowTestPhones, CanvasWindowTestFirstEditPhotographs,
-    testing::Values(Subject{"pug", "heic_iphone13pro_pug/pug.heic", 0.45, 0.72},
-                    Subject{"vase", "jpeg_mpf_iphonex_vase/image-with-depth.jpg", 0.48, 0.46},
-                    Subject{"helmet", "jpeg_gdepth_greek_helmet/greek-helmet.jpg", 0.46, 0.49},
-                    Subject{"maneki_neko", "jpeg_gdepth_maneki_neko/yamasa-maneki-neko.jpg", 0.45, 0.43},
-                    Subject{"barstools", "jpeg_xdm_r200_barstools/xdm-photo4.jpg", 0.81, 0.42}),
-    [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(CanvasWindowTestPhones, CanvasWindowTestFirstEditPhotographs,
+                         testing::Values(Subject{"pug", "heic_iphone13pro_pug/pug.heic", 0.45, 0.72},
+                                         Subject{"vase", "jpeg_mpf_iphonex_vase/image-with-depth.jpg", 0.48, 0.46},
+                                         Subject{"helmet", "jpeg_gdepth_greek_helmet/greek-helmet.jpg", 0.46, 0.49},
+                                         Subject{"maneki_neko", "jpeg_gdepth_maneki_neko/yamasa-maneki-neko.jpg", 0.45,
+                                                 0.43},
+                                         Subject{"barstools", "jpeg_xdm_r200_barstools/xdm-photo4.jpg", 0.81, 0.42}),
+                         [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
