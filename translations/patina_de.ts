@@ -25,6 +25,73 @@
     </message>
 </context>
 <context>
+    <name>ToolRegistry</name>
+    <message>
+        <source>Pick and move</source>
+        <translation>Wählen und bewegen</translation>
+    </message>
+    <message>
+        <source>Click a segment to edit it, drag to move the picture</source>
+        <translation>Segment zum Bearbeiten anklicken, Bild durch Ziehen bewegen</translation>
+    </message>
+    <message>
+        <source>Smart select</source>
+        <translation>Objektauswahl</translation>
+    </message>
+    <message>
+        <source>Select an object by clicking it; Alt-click takes away, a drag points at several places</source>
+        <translation>Objekt durch Anklicken auswählen; Alt-Klick nimmt weg, Ziehen zeigt auf mehrere Stellen</translation>
+    </message>
+    <message>
+        <source>Selection brush</source>
+        <translation>Auswahlpinsel</translation>
+    </message>
+    <message>
+        <source>Paint what is selected</source>
+        <translation>Auswahl malen</translation>
+    </message>
+    <message>
+        <source>Selection eraser</source>
+        <translation>Auswahlradierer</translation>
+    </message>
+    <message>
+        <source>Erase what is selected</source>
+        <translation>Auswahl wegradieren</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Select what is inside a line drawn freely</source>
+        <translation>Auswählen, was in einer freihändig gezeichneten Linie liegt</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Vieleck</translation>
+    </message>
+    <message>
+        <source>Select what is inside an outline of straight lines</source>
+        <translation>Auswählen, was in einem Umriss aus geraden Linien liegt</translation>
+    </message>
+    <message>
+        <source>Depth and plane</source>
+        <translation>Tiefe und Ebene</translation>
+    </message>
+    <message>
+        <source>Select what is equally far away, or a plane</source>
+        <translation>Auswählen, was gleich weit entfernt ist, oder eine Ebene</translation>
+    </message>
+    <message>
+        <source>Refine edge</source>
+        <translation>Kante verfeinern</translation>
+    </message>
+    <message>
+        <source>Paint over an outline to find it again in the photograph</source>
+        <translation>Umriss übermalen, um ihn im Foto neu zu suchen</translation>
+    </message>
+</context>
+<context>
     <name>ViewLayer</name>
     <message>
         <source>Result</source>
@@ -142,18 +209,6 @@
 </context>
 <context>
     <name>messages</name>
-    <message>
-        <source>It is &quot;Depth unit&quot; under File &gt; New from photo and depth.</source>
-        <translation>Das geht mit „Tiefeneinheit“ unter Datei &gt; Neu aus Foto und Tiefe.</translation>
-    </message>
-    <message>
-        <source>They are &quot;Depth unit&quot; and &quot;Depth is&quot; under File &gt; New from photo and depth.</source>
-        <translation>Das geht mit „Tiefeneinheit“ und „Tiefe ist“ unter Datei &gt; Neu aus Foto und Tiefe.</translation>
-    </message>
-    <message>
-        <source>&quot;Field of view&quot; under File &gt; New from photo and depth sets it.</source>
-        <translation>Das geht mit „Bildwinkel“ unter Datei &gt; Neu aus Foto und Tiefe.</translation>
-    </message>
     <message>
         <source>There is not enough memory for this.</source>
         <translation>Dafür reicht der Speicher nicht.</translation>
@@ -807,18 +862,6 @@
         <translation>Die mittlere Tiefe in „%1“ ist %2 m bei einer Einheit von %3 m, erwartet wird %4 bis %5 m: Die Einheit ist wahrscheinlich falsch. Geben Sie die Meter pro gespeicherter Einheit an (0,001 für Millimeter, 1 für Meter) oder die richtige Art der Tiefe.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; contains no depth map (%2), and no depth image is given.</source>
-        <translation>„%1“ enthält keine Tiefenkarte (%2), und es ist kein Tiefenbild angegeben.</translation>
-    </message>
-    <message>
-        <source>The depth kind is &quot;%1&quot;, but the file says that the depth inside &quot;%2&quot; is &quot;%3&quot;.</source>
-        <translation>Die Art der Tiefe ist „%1“, laut Datei ist die Tiefe in „%2“ aber „%3“.</translation>
-    </message>
-    <message>
-        <source>Depth image</source>
-        <translation>Tiefenbild</translation>
-    </message>
-    <message>
         <source>Depth image &quot;%1&quot; has no valid pixel: every value is zero, negative, not a number or beyond %2 m.</source>
         <translation>Das Tiefenbild „%1“ hat kein gültiges Pixel: Jeder Wert ist null, negativ, keine Zahl oder größer als %2 m.</translation>
     </message>
@@ -1242,6 +1285,26 @@
         <source>There is no object in &quot;%1&quot;: all of it is 0.</source>
         <translation>In „%1“ gibt es kein Objekt: alles ist 0.</translation>
     </message>
+    <message>
+        <source>It is &quot;Depth unit&quot; under File &gt; New from photograph.</source>
+        <translation>Sie steht als „Tiefeneinheit“ unter Datei &gt; Neu aus Fotografie.</translation>
+    </message>
+    <message>
+        <source>They are &quot;Depth unit&quot; and &quot;Depth is&quot; under File &gt; New from photograph.</source>
+        <translation>Sie stehen als „Tiefeneinheit“ und „Tiefe ist“ unter Datei &gt; Neu aus Fotografie.</translation>
+    </message>
+    <message>
+        <source>&quot;Field of view&quot; under File &gt; New from photograph sets it.</source>
+        <translation>„Bildwinkel“ unter Datei &gt; Neu aus Fotografie legt ihn fest.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; contains no depth map (%2), and no depth image is given. Objects can be selected by their colour, but materials cannot be changed: that needs a depth map.</source>
+        <translation>„%1“ enthält keine Tiefenkarte (%2), und kein Tiefenbild ist angegeben. Objekte lassen sich nach ihrer Farbe auswählen, aber Materialien nicht ändern: dafür ist eine Tiefenkarte nötig.</translation>
+    </message>
+    <message>
+        <source>The depth inside &quot;%1&quot; is read as &quot;%2&quot;, although the file says that it is &quot;%3&quot;.</source>
+        <translation>Die Tiefe in „%1“ wird als „%2“ gelesen, obwohl sie laut Datei „%3“ ist.</translation>
+    </message>
 </context>
 <context>
     <name>metals</name>
@@ -1374,6 +1437,13 @@
     <message>
         <source>Whole milk</source>
         <translation>Vollmilch</translation>
+    </message>
+</context>
+<context>
+    <name>samples</name>
+    <message>
+        <source>Studio: a satin vase and a golden bag</source>
+        <translation>Studio: eine seidenmatte Vase und ein goldener Beutel</translation>
     </message>
 </context>
 <context>
@@ -1789,6 +1859,10 @@
         <source>Running benchmarks</source>
         <translation>Messungen laufen</translation>
     </message>
+    <message>
+        <source>Finding regions to select</source>
+        <translation>Auswählbare Bereiche werden gesucht</translation>
+    </message>
 </context>
 <context>
     <name>ui</name>
@@ -1877,6 +1951,69 @@
     </message>
 </context>
 <context>
+    <name>ui::BrushTool</name>
+    <message>
+        <source>Paint over the object. Alt erases; [ and ] change the brush.</source>
+        <translation>Übermalen Sie das Objekt. Alt radiert; [ und ] ändern den Pinsel.</translation>
+    </message>
+    <message>
+        <source>Paint over what is selected wrongly. Alt paints; [ and ] change the brush.</source>
+        <translation>Übermalen Sie, was falsch ausgewählt ist. Alt malt; [ und ] ändern den Pinsel.</translation>
+    </message>
+    <message>
+        <source>Select something first; then paint over its outline.</source>
+        <translation>Wählen Sie zuerst etwas aus; übermalen Sie dann den Umriss.</translation>
+    </message>
+    <message>
+        <source>Paint over the outline where it is wrong: it is found again there.</source>
+        <translation>Übermalen Sie den Umriss, wo er falsch ist: Dort wird er neu gesucht.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Radius of the brush in pixels of the picture</source>
+        <translation>Radius des Pinsels in Bildpunkten</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Härte</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Part of the brush that paints everything; the rim around it paints only what looks like the part inside</source>
+        <translation>Teil des Pinsels, der alles bemalt; der Rand darum bemalt nur, was so aussieht wie das Innere</translation>
+    </message>
+    <message>
+        <source>Stop at depth edges</source>
+        <translation>An Tiefenkanten anhalten</translation>
+    </message>
+    <message>
+        <source>Paint only the surface that is under the middle of the brush</source>
+        <translation>Nur die Oberfläche bemalen, die unter der Mitte des Pinsels liegt</translation>
+    </message>
+    <message>
+        <source>Erase selection</source>
+        <translation>Auswahl radieren</translation>
+    </message>
+    <message>
+        <source>Paint selection</source>
+        <translation>Auswahl malen</translation>
+    </message>
+    <message>
+        <source>Refine edge</source>
+        <translation>Kante verfeinern</translation>
+    </message>
+</context>
+<context>
     <name>ui::Canvas</name>
     <message>
         <source>Picture</source>
@@ -1903,6 +2040,104 @@
     <message>
         <source>%1: linear %2, %3, %4. Click to change.</source>
         <translation>%1: linear %2, %3, %4. Zum Ändern klicken.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::DepthTool</name>
+    <message>
+        <source>The photograph has no depth to select by.</source>
+        <translation>Das Foto hat keine Tiefe, nach der ausgewählt werden könnte.</translation>
+    </message>
+    <message>
+        <source>Click a plane, such as a wall or a table.</source>
+        <translation>Klicken Sie auf eine Ebene, etwa eine Wand oder einen Tisch.</translation>
+    </message>
+    <message>
+        <source>Click something to select all that is as far away.</source>
+        <translation>Klicken Sie auf etwas, um alles auszuwählen, was gleich weit entfernt ist.</translation>
+    </message>
+    <message>
+        <source>Kind of depth selection</source>
+        <translation>Art der Tiefenauswahl</translation>
+    </message>
+    <message>
+        <source>Select what is equally far away, or what lies on one plane</source>
+        <translation>Auswählen, was gleich weit entfernt ist oder was auf einer Ebene liegt</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Entfernung</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How far depth may be off, in parts of the distance</source>
+        <translation>Wie weit die Tiefe abweichen darf, als Teil der Entfernung</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Weichheit</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Round the outline off over this many pixels, and drop specks</source>
+        <translation>Umriss über so viele Bildpunkte abrunden und Krümel weglassen</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Zusammenhängend</translation>
+    </message>
+    <message>
+        <source>Select only the piece that is clicked</source>
+        <translation>Nur das angeklickte Stück auswählen</translation>
+    </message>
+    <message>
+        <source>Click inside the picture.</source>
+        <translation>Klicken Sie in das Bild.</translation>
+    </message>
+    <message>
+        <source>There is no depth at this pixel.</source>
+        <translation>An diesem Bildpunkt gibt es keine Tiefe.</translation>
+    </message>
+    <message>
+        <source>Select by depth</source>
+        <translation>Nach Tiefe auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::DepthView</name>
+    <message>
+        <source>Depth in space</source>
+        <translation>Tiefe im Raum</translation>
+    </message>
+    <message>
+        <source>Drag to turn, wheel to zoom, double-click for the first view; or arrow keys, + and -, Home</source>
+        <translation>Ziehen dreht, das Mausrad zoomt, Doppelklick zeigt die erste Ansicht; oder Pfeiltasten, + und -, Pos1</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
     </message>
 </context>
 <context>
@@ -2228,6 +2463,17 @@
     </message>
 </context>
 <context>
+    <name>ui::LassoTool</name>
+    <message>
+        <source>Draw around the object in one stroke.</source>
+        <translation>Umfahren Sie das Objekt in einem Zug.</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+</context>
+<context>
     <name>ui::MainWindow</name>
     <message>
         <source>Analysing: %1, %2 %</source>
@@ -2326,20 +2572,8 @@
         <translation>&amp;Datei</translation>
     </message>
     <message>
-        <source>&amp;New from photo and depth…</source>
-        <translation>&amp;Neu aus Foto und Tiefe…</translation>
-    </message>
-    <message>
-        <source>Start a project from a photograph and its depth map</source>
-        <translation>Ein Projekt mit einem Foto und seiner Tiefenkarte beginnen</translation>
-    </message>
-    <message>
         <source>&amp;Open…</source>
         <translation>Ö&amp;ffnen…</translation>
-    </message>
-    <message>
-        <source>Open a project</source>
-        <translation>Ein Projekt öffnen</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
@@ -2420,10 +2654,6 @@
     <message>
         <source>&amp;Edit</source>
         <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;Deselect</source>
-        <translation>Auswahl auf&amp;heben</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -2538,10 +2768,6 @@
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Projects and photographs (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.pcd);;Patina projects (*.patina);;All files (*)</source>
-        <translation>Projekte und Fotos (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.pcd);;Patina-Projekte (*.patina);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Save as</source>
         <translation>Speichern unter</translation>
     </message>
@@ -2620,10 +2846,6 @@
     <message>
         <source>Redo the last undone change</source>
         <translation>Die zuletzt rückgängig gemachte Änderung wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Clear the selection</source>
-        <translation>Die Auswahl aufheben</translation>
     </message>
     <message>
         <source>Show one picture pixel per screen pixel</source>
@@ -2724,6 +2946,34 @@
     <message>
         <source>Files of &quot;%1&quot; cannot be found:</source>
         <translation>Dateien von „%1“ wurden nicht gefunden:</translation>
+    </message>
+    <message>
+        <source>&amp;New from photograph…</source>
+        <translation>&amp;Neu aus Fotografie…</translation>
+    </message>
+    <message>
+        <source>Start a project from a photograph and its depth</source>
+        <translation>Ein Projekt aus einer Fotografie und ihrer Tiefe beginnen</translation>
+    </message>
+    <message>
+        <source>Open a photograph or a project</source>
+        <translation>Eine Fotografie oder ein Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Deselect segment</source>
+        <translation>Segment &amp;abwählen</translation>
+    </message>
+    <message>
+        <source>Edit no segment</source>
+        <translation>Kein Segment bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>A&amp;uswahl</translation>
+    </message>
+    <message>
+        <source>Projects and photographs (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.png *.tif *.tiff *.hdr *.pfm *.pcd);;Patina projects (*.patina);;All files (*)</source>
+        <translation>Projekte und Fotografien (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.png *.tif *.tiff *.hdr *.pfm *.pcd);;Patina-Projekte (*.patina);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -3036,11 +3286,18 @@
     </message>
 </context>
 <context>
-    <name>ui::NewPhotoDialog</name>
+    <name>ui::NavigateTool</name>
     <message>
-        <source>New from photograph and depth</source>
-        <translation>Neu aus Foto und Tiefe</translation>
+        <source>Nothing can be edited yet: choose Smart select and click an object.</source>
+        <translation>Noch lässt sich nichts bearbeiten: Wählen Sie die Objektauswahl und klicken Sie auf ein Objekt.</translation>
     </message>
+    <message>
+        <source>Click a segment to edit it. Drag moves the picture, the wheel zooms.</source>
+        <translation>Klicken Sie auf ein Segment, um es zu bearbeiten. Ziehen bewegt das Bild, das Mausrad zoomt.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::NewPhotoDialog</name>
     <message>
         <source>Pictures (*.exr *.png *.jpg *.jpeg *.tif *.tiff *.hdr *.pfm);;All files (*)</source>
         <translation>Bilder (*.exr *.png *.jpg *.jpeg *.tif *.tiff *.hdr *.pfm);;Alle Dateien (*)</translation>
@@ -3114,16 +3371,8 @@
         <translation>Tiefenkarte derselben Ansicht. Leer lassen, wenn das Foto die Tiefe enthält (Porträtfotos von Handys, EXR mit Kanal Z, Punktwolken).</translation>
     </message>
     <message>
-        <source>Meaning of the numbers in the depth file</source>
-        <translation>Bedeutung der Zahlen in der Tiefendatei</translation>
-    </message>
-    <message>
         <source>Metres per stored unit. Automatic uses what the photograph states, otherwise 1 for floating-point files and 0.001 for 16-bit files.</source>
         <translation>Meter pro gespeicherter Einheit. „Automatisch“ nimmt die Angabe des Fotos, sonst 1 für Gleitkomma-Dateien und 0,001 für 16-Bit-Dateien.</translation>
-    </message>
-    <message>
-        <source>Horizontal field of view. Automatic reads it from the photograph, otherwise assumes 60°.</source>
-        <translation>Horizontaler Bildwinkel. „Automatisch“ liest ihn aus dem Foto und nimmt sonst 60° an.</translation>
     </message>
     <message>
         <source>What the photograph&apos;s file contains</source>
@@ -3154,10 +3403,6 @@
         <translation>kein Bildwinkel angegeben</translation>
     </message>
     <message>
-        <source>no depth inside: choose a depth map</source>
-        <translation>keine Tiefe enthalten: Wählen Sie eine Tiefenkarte</translation>
-    </message>
-    <message>
         <source>no depth inside</source>
         <translation>keine Tiefe enthalten</translation>
     </message>
@@ -3166,24 +3411,116 @@
         <translation>Tiefe enthalten, %1 × %2 Pixel: %3</translation>
     </message>
     <message>
-        <source>The photograph&apos;s file says what its depth is</source>
-        <translation>Die Datei des Fotos gibt an, was ihre Tiefe ist</translation>
-    </message>
-    <message>
-        <source>automatic: %1</source>
-        <translation>automatisch: %1</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>automatic: %1 m, assumed</source>
         <translation>automatisch: %1 m, angenommen</translation>
     </message>
     <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
+        <source>Open a photograph</source>
+        <translation>Fotografie öffnen</translation>
+    </message>
+    <message>
+        <source>Reading the photograph</source>
+        <translation>Die Fotografie wird gelesen</translation>
+    </message>
+    <message>
+        <source>Horizontal field of view. Automatic reads it from the photograph, otherwise assumes 60°. If it is wrong, turned objects look too deep or too flat.</source>
+        <translation>Horizontaler Bildwinkel. Automatisch: aus der Fotografie, sonst werden 60° angenommen. Ist er falsch, sehen gedrehte Gegenstände zu tief oder zu flach aus.</translation>
+    </message>
+    <message>
+        <source>Meaning of the numbers in the depth map</source>
+        <translation>Bedeutung der Zahlen in der Tiefenkarte</translation>
+    </message>
+    <message>
+        <source>Exchange near and far</source>
+        <translation>Nah und fern vertauschen</translation>
+    </message>
+    <message>
+        <source>For maps whose bright parts are far where they should be near, or the other way round: reads the numbers as inverse depth instead of depth, or back</source>
+        <translation>Für Karten, deren helle Teile fern statt nah sind oder umgekehrt: liest die Zahlen als inverse Tiefe statt als Tiefe, oder zurück</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Open with objects that were marked in another program</source>
+        <translation>Mit Objekten öffnen, die in einem anderen Programm markiert wurden</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>Gedreht</translation>
+    </message>
+    <message>
+        <source>From the right and above</source>
+        <translation>Von rechts oben</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>As the camera saw it</source>
+        <translation>Wie die Kamera es sah</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>From above, with the camera below</source>
+        <translation>Von oben, mit der Kamera unten</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>From the right, with the camera at the left</source>
+        <translation>Von rechts, mit der Kamera links</translation>
+    </message>
+    <message>
+        <source>How deep the scene is</source>
+        <translation>Wie tief die Szene ist</translation>
+    </message>
+    <message>
+        <source>Choose a photograph.</source>
+        <translation>Wählen Sie eine Fotografie.</translation>
+    </message>
+    <message>
+        <source>depth map, %1 × %2 pixels</source>
+        <translation>Tiefenkarte, %1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>Depth from %1 to %2 m, half of it nearer than %3 m.</source>
+        <translation>Tiefe von %1 bis %2 m, zur Hälfte näher als %3 m.</translation>
+    </message>
+    <message>
+        <source>Nothing states the unit, so the middle is assumed to be 1 m away.</source>
+        <translation>Die Einheit steht nirgends, daher wird die Mitte in 1 m Entfernung angenommen.</translation>
+    </message>
+    <message>
+        <source>The unit or the kind is probably wrong.</source>
+        <translation>Einheit oder Art sind wahrscheinlich falsch.</translation>
+    </message>
+    <message>
+        <source>inside the photograph</source>
+        <translation>in der Fotografie</translation>
+    </message>
+    <message>
+        <source>automatic: %1 m</source>
+        <translation>automatisch: %1 m</translation>
+    </message>
+    <message>
+        <source>automatic: %1°</source>
+        <translation>automatisch: %1°</translation>
+    </message>
+    <message>
+        <source>automatic: 60°, assumed</source>
+        <translation>automatisch: 60°, angenommen</translation>
+    </message>
+    <message>
+        <source>No depth found. Objects can be selected by their colour. To change materials, add a depth map: choose its file as &quot;Depth&quot;, or open a photograph that has depth, such as the original of a phone&apos;s portrait photo.</source>
+        <translation>Keine Tiefe gefunden. Objekte lassen sich nach ihrer Farbe auswählen. Um Materialien zu ändern, ist eine Tiefenkarte nötig: Wählen Sie ihre Datei als „Tiefe“, oder öffnen Sie eine Fotografie mit Tiefe, etwa das Original eines Handy-Porträtfotos.</translation>
     </message>
 </context>
 <context>
@@ -3238,6 +3575,21 @@
 Double-click the label to reset to %2.</source>
         <translation>%1
 Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PolygonTool</name>
+    <message>
+        <source>Click the next corner. A double click or Enter closes the outline, Backspace takes a corner back, Escape drops it.</source>
+        <translation>Klicken Sie auf die nächste Ecke. Doppelklick oder Eingabe schließt den Umriss, Rücktaste nimmt eine Ecke zurück, Escape verwirft ihn.</translation>
+    </message>
+    <message>
+        <source>Click the corners of the object, one after the other.</source>
+        <translation>Klicken Sie nacheinander auf die Ecken des Objekts.</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Vieleck</translation>
     </message>
 </context>
 <context>
@@ -3613,6 +3965,306 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     <message>
         <source>Tick Glossy for an object with reflections: the light is recovered from them.</source>
         <translation>Markieren Sie ein Objekt mit Spiegelungen als glänzend: aus ihnen wird das Licht gewonnen.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SelectionSession</name>
+    <message>
+        <source>Clear selection</source>
+        <translation>Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Select something in the picture first.</source>
+        <translation>Wählen Sie zuerst etwas im Bild aus.</translation>
+    </message>
+    <message>
+        <source>object %1</source>
+        <translation>Objekt %1</translation>
+    </message>
+    <message>
+        <source>New segment</source>
+        <translation>Neues Segment</translation>
+    </message>
+    <message>
+        <source>Add to %1</source>
+        <translation>Zu %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Take from %1</source>
+        <translation>Von %1 wegnehmen</translation>
+    </message>
+    <message>
+        <source>Intersect with %1</source>
+        <translation>Mit %1 schneiden</translation>
+    </message>
+    <message>
+        <source>Find objects</source>
+        <translation>Objekte finden</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Objects found: %1</source>
+        <translation>Gefundene Objekte: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SmartSelectTool</name>
+    <message>
+        <source>Finding regions… A click waits until they are known.</source>
+        <translation>Bereiche werden gesucht … Ein Klick wartet, bis sie bekannt sind.</translation>
+    </message>
+    <message>
+        <source>Click an object to select it; drag over several of its parts.</source>
+        <translation>Klicken Sie auf ein Objekt, um es auszuwählen; ziehen Sie über mehrere seiner Teile.</translation>
+    </message>
+    <message>
+        <source>Click adds, Alt-click takes away. Press Enter to make a segment of it.</source>
+        <translation>Klick fügt hinzu, Alt-Klick nimmt weg. Die Eingabetaste macht ein Segment daraus.</translation>
+    </message>
+    <message>
+        <source>Click inside the picture.</source>
+        <translation>Klicken Sie in das Bild.</translation>
+    </message>
+    <message>
+        <source>Take from selection</source>
+        <translation>Von der Auswahl wegnehmen</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::StartPage</name>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Open photo or project…</source>
+        <translation>Foto oder Projekt öffnen…</translation>
+    </message>
+    <message>
+        <source>Photographs with depth, photographs with a depth map beside them, and projects</source>
+        <translation>Fotografien mit Tiefe, Fotografien mit einer Tiefenkarte daneben, und Projekte</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Recent projects and photographs</source>
+        <translation>Zuletzt geöffnete Projekte und Fotografien</translation>
+    </message>
+    <message>
+        <source>Remove from list</source>
+        <translation>Aus der Liste entfernen</translation>
+    </message>
+    <message>
+        <source>Forget the selected file; the file itself stays (Delete)</source>
+        <translation>Die ausgewählte Datei vergessen; die Datei selbst bleibt (Entf)</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Edited examples</source>
+        <translation>Bearbeitete Beispiele</translation>
+    </message>
+    <message>
+        <source>Change what things in a photograph are made of</source>
+        <translation>Ändern, woraus die Dinge in einer Fotografie bestehen</translation>
+    </message>
+    <message>
+        <source>or drop a file here</source>
+        <translation>oder eine Datei hierher ziehen</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>%1 is no longer in its folder: it was moved, renamed or deleted.</source>
+        <translation>%1 liegt nicht mehr in ihrem Ordner: Sie wurde verschoben, umbenannt oder gelöscht.</translation>
+    </message>
+    <message>
+        <source>The folder of %1 cannot be found: it was moved, or its disk is not connected.</source>
+        <translation>Der Ordner von %1 ist nicht zu finden: Er wurde verschoben, oder sein Laufwerk ist nicht angeschlossen.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ToolBox</name>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>&amp;Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Select the whole picture</source>
+        <translation>Das ganze Bild auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Clear selection</source>
+        <translation>Auswahl auf&amp;heben</translation>
+    </message>
+    <message>
+        <source>Select nothing</source>
+        <translation>Nichts auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;Invert</source>
+        <translation>&amp;Umkehren</translation>
+    </message>
+    <message>
+        <source>Select what is not selected</source>
+        <translation>Auswählen, was nicht ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>&amp;Grow</source>
+        <translation>&amp;Erweitern</translation>
+    </message>
+    <message>
+        <source>Add a border of the width in the bar above the picture</source>
+        <translation>Einen Rand hinzufügen, so breit, wie die Leiste über dem Bild sagt</translation>
+    </message>
+    <message>
+        <source>S&amp;hrink</source>
+        <translation>&amp;Verkleinern</translation>
+    </message>
+    <message>
+        <source>Take a border of the width in the bar above the picture away</source>
+        <translation>Einen Rand wegnehmen, so breit, wie die Leiste über dem Bild sagt</translation>
+    </message>
+    <message>
+        <source>&amp;Fill holes</source>
+        <translation>&amp;Löcher füllen</translation>
+    </message>
+    <message>
+        <source>Add the areas that the selection encloses</source>
+        <translation>Die Flächen hinzufügen, die die Auswahl umschließt</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth</source>
+        <translation>&amp;Glätten</translation>
+    </message>
+    <message>
+        <source>Round the outline off and drop specks, as wide as the bar above the picture says</source>
+        <translation>Umriss abrunden und Krümel weglassen, so breit, wie die Leiste über dem Bild sagt</translation>
+    </message>
+    <message>
+        <source>&amp;Refine whole edge</source>
+        <translation>Ganze &amp;Kante verfeinern</translation>
+    </message>
+    <message>
+        <source>Find the outline again in the photograph, at most the width in the bar above the picture away</source>
+        <translation>Den Umriss im Foto neu suchen, höchstens so weit entfernt, wie die Leiste über dem Bild sagt</translation>
+    </message>
+    <message>
+        <source>&amp;New segment</source>
+        <translation>&amp;Neues Segment</translation>
+    </message>
+    <message>
+        <source>Make a segment of what is selected (Enter)</source>
+        <translation>Aus der Auswahl ein Segment machen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Add &amp;to segment</source>
+        <translation>&amp;Zum Segment hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add what is selected to the current segment</source>
+        <translation>Die Auswahl dem aktuellen Segment hinzufügen</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke from segment</source>
+        <translation>Vom Segment &amp;wegnehmen</translation>
+    </message>
+    <message>
+        <source>Take what is selected away from the current segment</source>
+        <translation>Die Auswahl vom aktuellen Segment wegnehmen</translation>
+    </message>
+    <message>
+        <source>Inter&amp;sect with segment</source>
+        <translation>Mit Segment &amp;schneiden</translation>
+    </message>
+    <message>
+        <source>Leave only what is selected of the current segment</source>
+        <translation>Vom aktuellen Segment nur lassen, was ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Find &amp;objects</source>
+        <translation>&amp;Objekte finden</translation>
+    </message>
+    <message>
+        <source>Make a segment of each object that stands on a table, floor or wall</source>
+        <translation>Aus jedem Objekt auf einem Tisch, Boden oder an einer Wand ein Segment machen</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>The shape replaces the selection</source>
+        <translation>Die Form ersetzt die Auswahl</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>The shape is added to the selection (Shift)</source>
+        <translation>Die Form kommt zur Auswahl hinzu (Umschalt)</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Wegnehmen</translation>
+    </message>
+    <message>
+        <source>The shape is taken from the selection (Alt)</source>
+        <translation>Die Form wird von der Auswahl weggenommen (Alt)</translation>
+    </message>
+    <message>
+        <source>Intersect</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>What the shape and the selection share stays (Shift+Alt)</source>
+        <translation>Was Form und Auswahl gemeinsam haben, bleibt (Umschalt+Alt)</translation>
+    </message>
+    <message>
+        <source>Selection tools</source>
+        <translation>Auswahlwerkzeuge</translation>
+    </message>
+    <message>
+        <source>Tool options</source>
+        <translation>Werkzeugoptionen</translation>
+    </message>
+    <message>
+        <source>Width for growing, shrinking and smoothing</source>
+        <translation>Breite zum Erweitern, Verkleinern und Glätten</translation>
+    </message>
+    <message>
+        <source>By how many pixels Grow, Shrink, Smooth and Refine whole edge change the outline</source>
+        <translation>Um wie viele Bildpunkte Erweitern, Verkleinern, Glätten und Ganze Kante verfeinern den Umriss ändern</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Open a photograph or a project to begin.</source>
+        <translation>Öffnen Sie ein Foto oder ein Projekt, um zu beginnen.</translation>
     </message>
 </context>
 <context>

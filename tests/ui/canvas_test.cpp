@@ -29,6 +29,7 @@
 #include "tests/ui/support.h"
 #include "ui/canvas/canvas_renderer.h"
 #include "ui/canvas/canvas_window.h"
+#include "ui/canvas/display.h"
 #include "ui/main_window.h"
 
 namespace {
@@ -40,6 +41,7 @@ class CanvasWindowTest : public testing::Test {
     void SetUp() override {
         window_.resize(1400, 900);
         window_.show();
+        test::showCanvas(window_);
         ASSERT_TRUE(window_.canvas().available())
             << test::child<QLabel>(window_, "canvasMessage")->text().toStdString();
         ASSERT_TRUE(test::waitUntil([&] { return !window_.canvas().deviceName().isEmpty(); }, 20000));
@@ -154,6 +156,30 @@ TEST_F(CanvasWindowTest, EditedPictureIsExportedAsTheHeadlessOne) {
         }
     EXPECT_GT(changedInside, 1000u);
     EXPECT_EQ(changedOutside, 0u);
+}
+
+TEST(CanvasWindowTestStart, GivesWayToTheCanvasOfThePhotograph) {
+    ui::MainWindow window;
+    window.resize(1000, 700);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    EXPECT_TRUE(test::child<QWidget>(window, "startPage")->isVisible());
+    EXPECT_FALSE(window.canvas().isVisible());
+    QTest::qWait(200);
+    window.openFile(kSample);
+    ASSERT_TRUE(test::waitUntil([&] { return window.workspace().hasPhoto() && window.settled(); }, 100000));
+    EXPECT_FALSE(test::child<QWidget>(window, "startPage")->isVisible());
+    EXPECT_FALSE(window.canvas().deviceName().isEmpty());
+    const QPoint middle = window.canvas().mapToGlobal(window.canvas().widgetPosition(440, 330).toPoint());
+    const core::Vector3f& there = window.workspace().scene().photo->color(440, 330);
+    const QColor expected = ui::displayColor(there);
+    ASSERT_TRUE(test::waitUntil(
+        [&] {
+            const QColor seen = window.screen()->grabWindow(0, middle.x(), middle.y(), 1, 1).toImage().pixelColor(0, 0);
+            return std::abs(seen.red() - expected.red()) + std::abs(seen.green() - expected.green()) < 60;
+        },
+        10000))
+        << "the canvas shows the photograph";
 }
 
 TEST_F(CanvasWindowTest, ShowsThePhotographAndPicksSegments) {

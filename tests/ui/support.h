@@ -3,6 +3,7 @@
 
 #include <QAbstractItemView>
 #include <QElapsedTimer>
+#include <QStackedWidget>
 #include <QTest>
 #include <functional>
 #include <string>
@@ -30,6 +31,11 @@ inline QModelIndex segmentRow(const QAbstractItemView& list, const QString& name
     const QAbstractItemModel& model = *list.model();
     const auto rows = model.match(model.index(0, 0), Qt::DisplayRole, name, 1, Qt::MatchExactly);
     return rows.isEmpty() ? QModelIndex() : rows.front();
+}
+
+/// Shows the canvas instead of the start page: its device starts when it is first shown.
+inline void showCanvas(QWidget& window) {
+    child<QStackedWidget>(window, "pages")->setCurrentWidget(child<QWidget>(window, "canvas"));
 }
 
 /// The segment of this name; the label 0 stands for none.
