@@ -312,8 +312,8 @@ void SegmentActions::toggleLocked() {
 
 bool SegmentActions::working() const { return task_ != nullptr && task_->running(); }
 
-void SegmentActions::start(std::function<void()> work, const std::function<void()>& done) {
-    task_ = std::make_unique<BackgroundTask>([work = std::move(work)](const core::Progress&) { work(); });
+void SegmentActions::start(std::function<void(const core::Progress&)> work, const std::function<void()>& done) {
+    task_ = std::make_unique<BackgroundTask>(std::move(work));
     connect(task_.get(), &BackgroundTask::failed, this, &SegmentActions::error);
     connect(task_.get(), &BackgroundTask::succeeded, this, done);
     task_->start();
@@ -327,10 +327,12 @@ void SegmentActions::importFiles(const QStringList& paths) {
         core::Notes notes;
     };
     auto maps = std::make_shared<Maps>();
-    const auto read = [maps, paths, camera = workspace_.scene().photo->camera] {
-        for (const QString& path : paths)
+    const auto read = [maps, paths, camera = workspace_.scene().photo->camera](const core::Progress& progress) {
+        for (const QString& path : paths) {
+            progress.checkpoint(static_cast<float>(maps->named.size()) / static_cast<float>(paths.size()));
             maps->named.emplace_back(QFileInfo(path).completeBaseName().toStdString(),
                                      core::loadLabelMap(path.toStdString(), camera, &maps->notes));
+        }
     };
     start(read, [this, maps] {
         std::vector<std::uint16_t> made;
@@ -351,7 +353,7 @@ void SegmentActions::exportMask(const QString& path) {
     if (chosen_.empty()) return;
     if (working()) return emit message(tr("Please wait until the last file has been read or written."));
     start(
-        [photo = workspace_.scene().photo, chosen = chosen_, path] {
+        [photo = workspace_.scene().photo, chosen = chosen_, path](const core::Progress&) {
             const core::BinaryMask mask = core::maskOfSegments(photo->labels, chosen);
             core::LabelImage picture(mask.width(), mask.height());
             for (std::size_t i = 0; i < mask.size(); ++i) picture[i] = mask[i] != 0 ? 255 : 0;

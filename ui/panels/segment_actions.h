@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/base/progress.h"
 #include "core/scene/scene.h"
 
 namespace ui {
@@ -73,7 +74,7 @@ class SegmentActions : public QObject {
     [[nodiscard]] QString namesOf(const std::vector<std::uint16_t>& labels) const;
     [[nodiscard]] std::vector<const core::Segment*> segmentsOf(const std::vector<std::uint16_t>& labels) const;
     /// Runs work on another thread, then `done` on this one.
-    void start(std::function<void()> work, const std::function<void()>& done);
+    void start(std::function<void(const core::Progress&)> work, const std::function<void()>& done);
 
     void renameChosen();
     void duplicate();
