@@ -197,6 +197,8 @@ void MainWindow::makeDocks() {
         panels_->addAction(dock->toggleViewAction());
         connect(panel, &Panel::message, this, [this](const QString& text) { statusBar()->showMessage(text, 6000); });
         connect(panel, &Panel::error, this, &MainWindow::showError);
+        connect(panel, &Panel::notices, this,
+                [this, key](const QStringList& sentences) { notices_->setNotices(key, sentences); });
     }
     if (firstOfTabs != nullptr) firstOfTabs->raise();
 }
@@ -204,6 +206,8 @@ void MainWindow::makeDocks() {
 void MainWindow::documentReplaced() {
     layerTask_.reset();
     worker_.cancel();
+    shownScene_ = {};
+    shownAnalysis_.reset();
     canvas_->setPhoto(workspace_.scene().photo);
     if (pages_->currentWidget() != canvas_) {
         pages_->setCurrentWidget(canvas_);
@@ -223,9 +227,18 @@ void MainWindow::sceneChanged(core::Stage stage) {
         analysisStep_ = tr("Analysing");
         worker_.request(workspace_.generation(), workspace_.scene());
     } else if (!analysing_ && workspace_.analysis() != nullptr) {
-        canvas_->setScene(workspace_.scene(), workspace_.analysis());
+        showScene(workspace_.scene(), workspace_.analysis());
     }
     updateProgress();
+}
+
+void MainWindow::showScene(const core::Scene& scene, const std::shared_ptr<const core::Analysis>& analysis) {
+    core::Scene next = core::visibleScene(scene);
+    next.selection.reset();
+    if (next == shownScene_ && analysis == shownAnalysis_) return;
+    shownScene_ = next;
+    shownAnalysis_ = analysis;
+    canvas_->setScene(next, analysis);
 }
 
 void MainWindow::analysisFinished(const std::shared_ptr<const AnalysisResult>& result) {
@@ -233,7 +246,7 @@ void MainWindow::analysisFinished(const std::shared_ptr<const AnalysisResult>& r
     const bool current = result->generation >= workspace_.analysisGeneration();
     if (current) analysing_ = false;
     workspace_.setAnalysis(result->analysis);
-    canvas_->setScene(current ? workspace_.scene() : result->scene, result->analysis);
+    showScene(current ? workspace_.scene() : result->scene, result->analysis);
     refreshLayerPicture();
     updateProgress();
     if (!current) return;
@@ -397,7 +410,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         workspace_.pickPixel(nullptr);
         return;
     }
-    if (canvas_->hasFocus() && toolBox_->pressKey(*event)) return;
+    if (focusWidget() == canvas_ && toolBox_->pressKey(*event)) return;
     QMainWindow::keyPressEvent(event);
 }
 

@@ -88,6 +88,8 @@ class MainWindow : public QMainWindow {
                        const QString& help, const std::function<void()>& run);
 
     void sceneChanged(core::Stage stage);
+    /// Hands the scene to the canvas if it renders differently from the one before.
+    void showScene(const core::Scene& scene, const std::shared_ptr<const core::Analysis>& analysis);
     void analysisFinished(const std::shared_ptr<const AnalysisResult>& result);
     void documentReplaced();
     void setLayer(ViewLayer layer);
@@ -150,6 +152,8 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<BackgroundTask> task_;
     std::unique_ptr<BackgroundTask> layerTask_;
     QProgressDialog* progressDialog_ = nullptr;
+    core::Scene shownScene_;  ///< on the canvas
+    std::shared_ptr<const core::Analysis> shownAnalysis_;
     bool analysing_ = false;
     QString analysisStep_;
     bool closing_ = false;

@@ -13,7 +13,7 @@
 #include <QTemporaryDir>
 #include <QThread>
 #include <QToolButton>
-#include <QTreeWidget>
+#include <QTreeView>
 #include <QWindow>
 #include <algorithm>
 #include <cmath>
@@ -60,10 +60,8 @@ class CanvasWindowTest : public testing::Test {
         box->setCurrentIndex(box->findData(QString::fromUtf8(key)));
         emit box->activated(box->currentIndex());
     }
-    QTreeWidgetItem* row(const QString& segment) {
-        const auto rows = test::child<QTreeWidget>(window_, "segmentList")->findItems(segment, Qt::MatchExactly, 0);
-        return rows.isEmpty() ? nullptr : rows.front();
-    }
+    QTreeView& segmentList() { return *test::child<QTreeView>(window_, "segmentList"); }
+    QModelIndex row(const QString& segment) { return test::segmentRow(segmentList(), segment); }
     /// The widget's pixel that shows a picture pixel's centre.
     QPoint widgetPixel(int x, int y) {
         const QPointF place = window_.canvas().widgetPosition(x, y);
@@ -94,11 +92,12 @@ TEST_F(CanvasWindowTest, EditedPictureIsExportedAsTheHeadlessOne) {
     open();
     setSamples(4);
     settle();
-    ASSERT_NE(row("bowl"), nullptr);
-    row("bowl")->setCheckState(1, Qt::Checked);
+    ASSERT_TRUE(row("bowl").isValid());
+    const QModelIndex glossy = row("bowl").siblingAtColumn(1);
+    QTest::mouseClick(segmentList().viewport(), Qt::LeftButton, {}, segmentList().visualRect(glossy).center());
     EXPECT_TRUE(window_.workspace().scene().findSegment(label("bowl"))->glossy);
     settle();
-    test::child<QTreeWidget>(window_, "segmentList")->setCurrentItem(row("bowl"));
+    segmentList().setCurrentIndex(row("bowl"));
     chooseBrdf("phong");
     auto* exponent = test::child<QSlider>(window_, "exponentSlider");
     // What blocks the thread does so in every round; a busy machine seldom does.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QAbstractItemView>
 #include <QElapsedTimer>
 #include <QStackedWidget>
 #include <QTest>
@@ -23,6 +24,13 @@ T* child(QObject& parent, const char* name) {
     T* found = parent.findChild<T*>(QString::fromUtf8(name));
     if (found == nullptr) qFatal("no child named %s", name);
     return found;
+}
+
+/// Row of a segment in the list of segments; invalid when it is not there.
+inline QModelIndex segmentRow(const QAbstractItemView& list, const QString& name) {
+    const QAbstractItemModel& model = *list.model();
+    const auto rows = model.match(model.index(0, 0), Qt::DisplayRole, name, 1, Qt::MatchExactly);
+    return rows.isEmpty() ? QModelIndex() : rows.front();
 }
 
 /// Shows the canvas instead of the start page: its device starts when it is first shown.
