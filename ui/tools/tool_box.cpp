@@ -29,6 +29,16 @@ constexpr std::size_t kSmartSelect = 1;
 constexpr float kBrushStep = 1.2f;
 constexpr int kMaxWidth = 200;
 
+/// A sentence that takes the room there is.
+class HintLabel : public QLabel {
+  public:
+    explicit HintLabel(QWidget* parent) : QLabel(parent) {
+        setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    }
+    [[nodiscard]] QSize sizeHint() const override { return minimumSizeHint(); }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
+};
+
 }  // namespace
 
 ToolBox::ToolBox(Workspace& workspace, Canvas& canvas, QObject* parent)
@@ -214,10 +224,9 @@ void ToolBox::addBars(QMainWindow& window) {
     }
     optionBar->addWidget(options_);
     addUses(*optionBar);
-    hint_ = new QLabel(optionBar);
+    hint_ = new HintLabel(optionBar);
     hint_->setObjectName(QStringLiteral("toolHint"));
     hint_->setContentsMargins(8, 0, 8, 0);
-    hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     optionBar->addWidget(hint_);
     auto* width = new QSpinBox(optionBar);
     width->setObjectName(QStringLiteral("selectionWidth"));
