@@ -12,6 +12,7 @@
 #include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -106,6 +107,10 @@ NewPhotoDialog::NewPhotoDialog(QWidget* parent) : QDialog(parent) {
     layout->addWidget(problem_);
     layout->addWidget(reading_);
     layout->addWidget(buttons);
+
+    // A dialog's own size is at most two thirds of the screen, which leaves the depth small.
+    const QSize space = screen()->availableSize() * 9 / 10;
+    resize((QSize(64, 38) * fontMetrics().height()).expandedTo(sizeHint()).boundedTo(space));
 
     typing_ = new QTimer(this);
     typing_->setSingleShot(true);
@@ -306,6 +311,7 @@ bool NewPhotoDialog::upToDate() const {
 void NewPhotoDialog::colorChanged() {
     open_->setEnabled(!color_->text().trimmed().isEmpty());
     opening_ = false;
+    exchanged_.reset();
     kind_.reset();
     if (beside_ && depth_->text().trimmed().toStdString() == beside_->path) depth_->clear();
     beside_.reset();
@@ -319,12 +325,23 @@ void NewPhotoDialog::colorChanged() {
 
 void NewPhotoDialog::exchangeNearAndFar() {
     if (findings_ == nullptr || findings_->points == nullptr) return;
-    const bool length = findings_->kind == core::DepthKind::Z || findings_->kind == core::DepthKind::Distance;
-    kind_ = length ? core::DepthKind::Inverse : core::DepthKind::Z;
-    // A value v with the depth m·v = z gets the depth n/v; both agree at the median depth if n = z²/m.
-    const auto middle = static_cast<double>(findings_->points->middle);
     const QSignalBlocker block(depthUnit_);
-    depthUnit_->setValue(middle * middle / findings_->unit);
+    if (exchanged_ && exchanged_->kindAfter == kind_ && exchanged_->unitAfter == depthUnit_->value()) {
+        kind_ = exchanged_->kindBefore;
+        depthUnit_->setValue(exchanged_->unitBefore);
+        exchanged_.reset();
+    } else {
+        exchanged_.emplace();
+        exchanged_->kindBefore = kind_;
+        exchanged_->unitBefore = depthUnit_->value();
+        const bool length = findings_->kind == core::DepthKind::Z || findings_->kind == core::DepthKind::Distance;
+        kind_ = length ? core::DepthKind::Inverse : core::DepthKind::Z;
+        // A value v with the depth m·v = z gets the depth n/v; both agree at the median depth if n = z²/m.
+        const auto middle = static_cast<double>(findings_->points->middle);
+        depthUnit_->setValue(middle * middle / findings_->unit);
+        exchanged_->kindAfter = kind_;
+        exchanged_->unitAfter = depthUnit_->value();
+    }
     refresh();
 }
 

@@ -57,6 +57,13 @@ class NewPhotoDialog : public QDialog {
         bool operator==(const Query&) const = default;
     };
     struct Findings;
+    /// Both sides of the last exchange of near and far, so that a second one takes it back exactly.
+    struct Exchange {
+        std::optional<core::DepthKind> kindBefore;
+        double unitBefore = 0;  ///< as in `depthUnit_`: 0 = automatic
+        std::optional<core::DepthKind> kindAfter;
+        double unitAfter = 0;
+    };
 
     QLineEdit* addFileRow(QFormLayout& form, const QString& key, const QString& label, const QString& toolTip,
                           const QString& filter);
@@ -98,7 +105,8 @@ class NewPhotoDialog : public QDialog {
     std::shared_ptr<const Findings> findings_;  ///< the latest; nullptr = none yet
     std::optional<core::DepthKind> kind_;       ///< as the user chose it
     std::optional<core::DepthBeside> beside_;   ///< the map that was entered by itself
-    bool opening_ = false;                      ///< Open was pressed while the files are being read
+    std::optional<Exchange> exchanged_;
+    bool opening_ = false;  ///< Open was pressed while the files are being read
 };
 
 }  // namespace ui

@@ -12,6 +12,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "ui/canvas/display.h"
 
@@ -32,6 +33,8 @@ constexpr float kNearShare = 0.02f;
 /// Neighbours seen at an angle still touch.
 constexpr float kOverlap = 1.4f;
 constexpr int kMaxSplat = 12;  ///< [px]
+/// A neighbour whose depth differs by more than this many point sizes belongs to something else.
+constexpr float kMaxSlope = 5;
 constexpr QRgb kBackground = qRgb(34, 34, 34);
 
 /// Mean colour of a cell of the photograph, from up to 3 x 3 of its pixels.
@@ -45,6 +48,19 @@ QRgb cellColor(const core::ImageRgb& color, double left, double top, double widt
             sum += color(x, y);
         }
     return displayColor(sum / 9).rgb();
+}
+
+/// What a point of size `size` stands for when it also closes the gaps to its neighbours on the same surface, such as
+/// the steps of coarsely stored depth.
+float closedSize(const core::ImageF& depth, int x, int y, int step, float size) {
+    const float z = depth(x, y);
+    float gap = size;
+    for (const auto& [u, v] : {std::pair{x + step, y}, {x - step, y}, {x, y + step}, {x, y - step}}) {
+        if (!depth.contains(u, v) || !(depth(u, v) > 0)) continue;
+        const float difference = std::abs(depth(u, v) - z);
+        if (difference <= kMaxSlope * size) gap = std::max(gap, difference);
+    }
+    return gap;
 }
 
 float atShare(std::vector<float>& values, double share) {
@@ -80,8 +96,9 @@ DepthPoints makeDepthPoints(const core::ImageRgb& color, const core::ImageF& dep
             const auto v = static_cast<float>((y + 0.5) * sy);
             points.positions.emplace_back(camera.ray(u, v) * z);
             points.colors.push_back(cellColor(color, (x - step / 2) * sx, (y - step / 2) * sy, step * sx, step * sy));
-            points.sizes.push_back(z * static_cast<float>(std::max(step * sx / static_cast<double>(camera.fx),
-                                                                   step * sy / static_cast<double>(camera.fy))));
+            const double pitch =
+                std::max(step * sx / static_cast<double>(camera.fx), step * sy / static_cast<double>(camera.fy));
+            points.sizes.push_back(closedSize(depth, x, y, step, z * static_cast<float>(pitch)));
             depths.push_back(z);
         }
     if (depths.empty()) return points;
