@@ -25,6 +25,73 @@
     </message>
 </context>
 <context>
+    <name>ToolRegistry</name>
+    <message>
+        <source>Pick and move</source>
+        <translation>Wählen und bewegen</translation>
+    </message>
+    <message>
+        <source>Click a segment to edit it, drag to move the picture</source>
+        <translation>Segment zum Bearbeiten anklicken, Bild durch Ziehen bewegen</translation>
+    </message>
+    <message>
+        <source>Smart select</source>
+        <translation>Objektauswahl</translation>
+    </message>
+    <message>
+        <source>Select an object by clicking it; Alt-click takes away, a drag points at several places</source>
+        <translation>Objekt durch Anklicken auswählen; Alt-Klick nimmt weg, Ziehen zeigt auf mehrere Stellen</translation>
+    </message>
+    <message>
+        <source>Selection brush</source>
+        <translation>Auswahlpinsel</translation>
+    </message>
+    <message>
+        <source>Paint what is selected</source>
+        <translation>Auswahl malen</translation>
+    </message>
+    <message>
+        <source>Selection eraser</source>
+        <translation>Auswahlradierer</translation>
+    </message>
+    <message>
+        <source>Erase what is selected</source>
+        <translation>Auswahl wegradieren</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Select what is inside a line drawn freely</source>
+        <translation>Auswählen, was in einer freihändig gezeichneten Linie liegt</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Vieleck</translation>
+    </message>
+    <message>
+        <source>Select what is inside an outline of straight lines</source>
+        <translation>Auswählen, was in einem Umriss aus geraden Linien liegt</translation>
+    </message>
+    <message>
+        <source>Depth and plane</source>
+        <translation>Tiefe und Ebene</translation>
+    </message>
+    <message>
+        <source>Select what is equally far away, or a plane</source>
+        <translation>Auswählen, was gleich weit entfernt ist, oder eine Ebene</translation>
+    </message>
+    <message>
+        <source>Refine edge</source>
+        <translation>Kante verfeinern</translation>
+    </message>
+    <message>
+        <source>Paint over an outline to find it again in the photograph</source>
+        <translation>Umriss übermalen, um ihn im Foto neu zu suchen</translation>
+    </message>
+</context>
+<context>
     <name>ViewLayer</name>
     <message>
         <source>Result</source>
@@ -142,18 +209,6 @@
 </context>
 <context>
     <name>messages</name>
-    <message>
-        <source>It is &quot;Depth unit&quot; under File &gt; New from photo and depth.</source>
-        <translation>Das geht mit „Tiefeneinheit“ unter Datei &gt; Neu aus Foto und Tiefe.</translation>
-    </message>
-    <message>
-        <source>They are &quot;Depth unit&quot; and &quot;Depth is&quot; under File &gt; New from photo and depth.</source>
-        <translation>Das geht mit „Tiefeneinheit“ und „Tiefe ist“ unter Datei &gt; Neu aus Foto und Tiefe.</translation>
-    </message>
-    <message>
-        <source>&quot;Field of view&quot; under File &gt; New from photo and depth sets it.</source>
-        <translation>Das geht mit „Bildwinkel“ unter Datei &gt; Neu aus Foto und Tiefe.</translation>
-    </message>
     <message>
         <source>There is not enough memory for this.</source>
         <translation>Dafür reicht der Speicher nicht.</translation>
@@ -807,18 +862,6 @@
         <translation>Die mittlere Tiefe in „%1“ ist %2 m bei einer Einheit von %3 m, erwartet wird %4 bis %5 m: Die Einheit ist wahrscheinlich falsch. Geben Sie die Meter pro gespeicherter Einheit an (0,001 für Millimeter, 1 für Meter) oder die richtige Art der Tiefe.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; contains no depth map (%2), and no depth image is given.</source>
-        <translation>„%1“ enthält keine Tiefenkarte (%2), und es ist kein Tiefenbild angegeben.</translation>
-    </message>
-    <message>
-        <source>The depth kind is &quot;%1&quot;, but the file says that the depth inside &quot;%2&quot; is &quot;%3&quot;.</source>
-        <translation>Die Art der Tiefe ist „%1“, laut Datei ist die Tiefe in „%2“ aber „%3“.</translation>
-    </message>
-    <message>
-        <source>Depth image</source>
-        <translation>Tiefenbild</translation>
-    </message>
-    <message>
         <source>Depth image &quot;%1&quot; has no valid pixel: every value is zero, negative, not a number or beyond %2 m.</source>
         <translation>Das Tiefenbild „%1“ hat kein gültiges Pixel: Jeder Wert ist null, negativ, keine Zahl oder größer als %2 m.</translation>
     </message>
@@ -1151,14 +1194,6 @@
         <translation>Das Projekt hat schon %1 Segmente, keine Nummer ist frei.</translation>
     </message>
     <message>
-        <source>The selection covers all of the segment &quot;%1&quot;, which is edited.</source>
-        <translation>Die Auswahl verdeckt das ganze Segment „%1“, das bearbeitet ist.</translation>
-    </message>
-    <message>
-        <source>The segment &quot;%1&quot; is gone: the selection covers all of it.</source>
-        <translation>Das Segment „%1“ ist entfallen: Die Auswahl verdeckt es ganz.</translation>
-    </message>
-    <message>
         <source>Nothing is selected, so there is no segment to make.</source>
         <translation>Nichts ist ausgewählt, also entsteht kein Segment.</translation>
     </message>
@@ -1175,8 +1210,96 @@
         <translation>Der Punkt %1, %2 wird zugleich hinzugefügt und entfernt.</translation>
     </message>
     <message>
-        <source>The depth map has no valid pixel: all of its %1 values are zero or not finite, but at least one positive depth is needed. Load a depth map that belongs to the photograph, or check its unit and kind.</source>
-        <translation>Die Tiefenkarte hat kein gültiges Pixel: Alle %1 Werte sind null oder nicht endlich, aber mindestens eine positive Tiefe wird gebraucht. Laden Sie eine Tiefenkarte, die zum Foto gehört, oder prüfen Sie ihre Einheit und Art.</translation>
+        <source>This needs %1 new segments, but only %2 labels are free.</source>
+        <translation>Dafür sind %1 neue Segmente nötig, aber nur %2 Nummern sind frei.</translation>
+    </message>
+    <message>
+        <source>There is no segment with the label %1.</source>
+        <translation>Es gibt kein Segment mit der Nummer %1.</translation>
+    </message>
+    <message>
+        <source>The segment &quot;%1&quot; is locked. Unlock it to change its pixels.</source>
+        <translation>Das Segment „%1“ ist gesperrt. Entsperren Sie es, um seine Pixel zu ändern.</translation>
+    </message>
+    <message>
+        <source>The segment &quot;%1&quot; is locked and stays as it is.</source>
+        <translation>Das Segment „%1“ ist gesperrt und bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>%1 segments are locked and stay as they are.</source>
+        <translation>%1 Segmente sind gesperrt und bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The segment &quot;%1&quot; is locked and keeps its pixels.</source>
+        <translation>Das Segment „%1“ ist gesperrt und behält seine Pixel.</translation>
+    </message>
+    <message>
+        <source>%1 segments are locked and keep their pixels.</source>
+        <translation>%1 Segmente sind gesperrt und behalten ihre Pixel.</translation>
+    </message>
+    <message>
+        <source>The segment &quot;%1&quot; would lose all of its pixels, but it is edited. Lock it to keep it, or delete it.</source>
+        <translation>Das Segment „%1“ würde alle seine Pixel verlieren, ist aber bearbeitet. Sperren Sie es, um es zu behalten, oder löschen Sie es.</translation>
+    </message>
+    <message>
+        <source>The segment &quot;%1&quot; is gone, because it lost all of its pixels.</source>
+        <translation>Das Segment „%1“ gibt es nicht mehr, weil es alle seine Pixel verloren hat.</translation>
+    </message>
+    <message>
+        <source>%1 segments are gone, because they lost all of their pixels.</source>
+        <translation>%1 Segmente gibt es nicht mehr, weil sie alle ihre Pixel verloren haben.</translation>
+    </message>
+    <message>
+        <source>The selection and the segment &quot;%1&quot; have no pixel in common.</source>
+        <translation>Die Auswahl und das Segment „%1“ haben kein Pixel gemeinsam.</translation>
+    </message>
+    <message>
+        <source>Select at least two segments to merge them.</source>
+        <translation>Wählen Sie mindestens zwei Segmente aus, um sie zu vereinen.</translation>
+    </message>
+    <message>
+        <source>The material of &quot;%1&quot; is gone: &quot;%2&quot; keeps its own.</source>
+        <translation>Das Material von „%1“ ist entfallen: „%2“ behält das eigene.</translation>
+    </message>
+    <message>
+        <source>The materials of %1 segments are gone: &quot;%2&quot; keeps its own.</source>
+        <translation>Die Materialien von %1 Segmenten sind entfallen: „%2“ behält das eigene.</translation>
+    </message>
+    <message>
+        <source>The segment &quot;%1&quot; is in one piece.</source>
+        <translation>Das Segment „%1“ besteht aus einem Stück.</translation>
+    </message>
+    <message>
+        <source>No object was found that is not a segment already.</source>
+        <translation>Es wurde kein Objekt gefunden, das nicht schon ein Segment ist.</translation>
+    </message>
+    <message>
+        <source>No label is free for %1 of the objects.</source>
+        <translation>Für %1 der Objekte ist keine Nummer frei.</translation>
+    </message>
+    <message>
+        <source>There is no object in &quot;%1&quot;: all of it is 0.</source>
+        <translation>In „%1“ gibt es kein Objekt: alles ist 0.</translation>
+    </message>
+    <message>
+        <source>It is &quot;Depth unit&quot; under File &gt; New from photograph.</source>
+        <translation>Sie steht als „Tiefeneinheit“ unter Datei &gt; Neu aus Fotografie.</translation>
+    </message>
+    <message>
+        <source>They are &quot;Depth unit&quot; and &quot;Depth is&quot; under File &gt; New from photograph.</source>
+        <translation>Sie stehen als „Tiefeneinheit“ und „Tiefe ist“ unter Datei &gt; Neu aus Fotografie.</translation>
+    </message>
+    <message>
+        <source>&quot;Field of view&quot; under File &gt; New from photograph sets it.</source>
+        <translation>„Bildwinkel“ unter Datei &gt; Neu aus Fotografie legt ihn fest.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; contains no depth map (%2), and no depth image is given. Objects can be selected by their colour, but materials cannot be changed: that needs a depth map.</source>
+        <translation>„%1“ enthält keine Tiefenkarte (%2), und kein Tiefenbild ist angegeben. Objekte lassen sich nach ihrer Farbe auswählen, aber Materialien nicht ändern: dafür ist eine Tiefenkarte nötig.</translation>
+    </message>
+    <message>
+        <source>The depth inside &quot;%1&quot; is read as &quot;%2&quot;, although the file says that it is &quot;%3&quot;.</source>
+        <translation>Die Tiefe in „%1“ wird als „%2“ gelesen, obwohl sie laut Datei „%3“ ist.</translation>
     </message>
 </context>
 <context>
@@ -1310,6 +1433,13 @@
     <message>
         <source>Whole milk</source>
         <translation>Vollmilch</translation>
+    </message>
+</context>
+<context>
+    <name>samples</name>
+    <message>
+        <source>Studio: a satin vase and a golden bag</source>
+        <translation>Studio: eine seidenmatte Vase und ein goldener Beutel</translation>
     </message>
 </context>
 <context>
@@ -1654,6 +1784,22 @@
         <source>Better dipole</source>
         <translation>Besserer Dipol</translation>
     </message>
+    <message>
+        <source>Visible</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Show the segment with its new material</source>
+        <translation>Das Segment mit seinem neuen Material zeigen</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Protect the segment&apos;s pixels from being changed</source>
+        <translation>Die Pixel des Segments vor Änderungen schützen</translation>
+    </message>
 </context>
 <context>
     <name>tasks</name>
@@ -1708,6 +1854,10 @@
     <message>
         <source>Running benchmarks</source>
         <translation>Messungen laufen</translation>
+    </message>
+    <message>
+        <source>Finding regions to select</source>
+        <translation>Auswählbare Bereiche werden gesucht</translation>
     </message>
 </context>
 <context>
@@ -1797,6 +1947,69 @@
     </message>
 </context>
 <context>
+    <name>ui::BrushTool</name>
+    <message>
+        <source>Paint over the object. Alt erases; [ and ] change the brush.</source>
+        <translation>Übermalen Sie das Objekt. Alt radiert; [ und ] ändern den Pinsel.</translation>
+    </message>
+    <message>
+        <source>Paint over what is selected wrongly. Alt paints; [ and ] change the brush.</source>
+        <translation>Übermalen Sie, was falsch ausgewählt ist. Alt malt; [ und ] ändern den Pinsel.</translation>
+    </message>
+    <message>
+        <source>Select something first; then paint over its outline.</source>
+        <translation>Wählen Sie zuerst etwas aus; übermalen Sie dann den Umriss.</translation>
+    </message>
+    <message>
+        <source>Paint over the outline where it is wrong: it is found again there.</source>
+        <translation>Übermalen Sie den Umriss, wo er falsch ist: Dort wird er neu gesucht.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Radius of the brush in pixels of the picture</source>
+        <translation>Radius des Pinsels in Bildpunkten</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Härte</translation>
+    </message>
+    <message>
+        <source>Part of the brush that paints everything; the rim around it paints only what looks like the part inside</source>
+        <translation>Teil des Pinsels, der alles bemalt; der Rand darum bemalt nur, was so aussieht wie das Innere</translation>
+    </message>
+    <message>
+        <source>Stop at depth edges</source>
+        <translation>An Tiefenkanten anhalten</translation>
+    </message>
+    <message>
+        <source>Paint only the surface that is under the middle of the brush</source>
+        <translation>Nur die Oberfläche bemalen, die unter der Mitte des Pinsels liegt</translation>
+    </message>
+    <message>
+        <source>Erase selection</source>
+        <translation>Auswahl radieren</translation>
+    </message>
+    <message>
+        <source>Paint selection</source>
+        <translation>Auswahl malen</translation>
+    </message>
+    <message>
+        <source>Refine edge</source>
+        <translation>Kante verfeinern</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+</context>
+<context>
     <name>ui::Canvas</name>
     <message>
         <source>Picture</source>
@@ -1823,6 +2036,104 @@
     <message>
         <source>%1: linear %2, %3, %4. Click to change.</source>
         <translation>%1: linear %2, %3, %4. Zum Ändern klicken.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::DepthTool</name>
+    <message>
+        <source>The photograph has no depth to select by.</source>
+        <translation>Das Foto hat keine Tiefe, nach der ausgewählt werden könnte.</translation>
+    </message>
+    <message>
+        <source>Click a plane, such as a wall or a table.</source>
+        <translation>Klicken Sie auf eine Ebene, etwa eine Wand oder einen Tisch.</translation>
+    </message>
+    <message>
+        <source>Click something to select all that is as far away.</source>
+        <translation>Klicken Sie auf etwas, um alles auszuwählen, was gleich weit entfernt ist.</translation>
+    </message>
+    <message>
+        <source>Kind of depth selection</source>
+        <translation>Art der Tiefenauswahl</translation>
+    </message>
+    <message>
+        <source>Select what is equally far away, or what lies on one plane</source>
+        <translation>Auswählen, was gleich weit entfernt ist oder was auf einer Ebene liegt</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Entfernung</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>How far depth may be off, in parts of the distance</source>
+        <translation>Wie weit die Tiefe abweichen darf, als Teil der Entfernung</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Weichheit</translation>
+    </message>
+    <message>
+        <source>Round the outline off over this many pixels, and drop specks</source>
+        <translation>Umriss über so viele Bildpunkte abrunden und Krümel weglassen</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Zusammenhängend</translation>
+    </message>
+    <message>
+        <source>Select only the piece that is clicked</source>
+        <translation>Nur das angeklickte Stück auswählen</translation>
+    </message>
+    <message>
+        <source>Click inside the picture.</source>
+        <translation>Klicken Sie in das Bild.</translation>
+    </message>
+    <message>
+        <source>There is no depth at this pixel.</source>
+        <translation>An diesem Bildpunkt gibt es keine Tiefe.</translation>
+    </message>
+    <message>
+        <source>Select by depth</source>
+        <translation>Nach Tiefe auswählen</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+</context>
+<context>
+    <name>ui::DepthView</name>
+    <message>
+        <source>Depth in space</source>
+        <translation>Tiefe im Raum</translation>
+    </message>
+    <message>
+        <source>Drag to turn, wheel to zoom, double-click for the first view; or arrow keys, + and -, Home</source>
+        <translation>Ziehen dreht, das Mausrad zoomt, Doppelklick zeigt die erste Ansicht; oder Pfeiltasten, + und -, Pos1</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
     </message>
 </context>
 <context>
@@ -2148,6 +2459,17 @@
     </message>
 </context>
 <context>
+    <name>ui::LassoTool</name>
+    <message>
+        <source>Draw around the object in one stroke.</source>
+        <translation>Umfahren Sie das Objekt in einem Zug.</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+</context>
+<context>
     <name>ui::MainWindow</name>
     <message>
         <source>Analysing: %1, %2 %</source>
@@ -2246,20 +2568,8 @@
         <translation>&amp;Datei</translation>
     </message>
     <message>
-        <source>&amp;New from photo and depth…</source>
-        <translation>&amp;Neu aus Foto und Tiefe…</translation>
-    </message>
-    <message>
-        <source>Start a project from a photograph and its depth map</source>
-        <translation>Ein Projekt mit einem Foto und seiner Tiefenkarte beginnen</translation>
-    </message>
-    <message>
         <source>&amp;Open…</source>
         <translation>Ö&amp;ffnen…</translation>
-    </message>
-    <message>
-        <source>Open a project</source>
-        <translation>Ein Projekt öffnen</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
@@ -2340,10 +2650,6 @@
     <message>
         <source>&amp;Edit</source>
         <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;Deselect</source>
-        <translation>Auswahl auf&amp;heben</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -2458,10 +2764,6 @@
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Projects and photographs (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.pcd);;Patina projects (*.patina);;All files (*)</source>
-        <translation>Projekte und Fotos (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.pcd);;Patina-Projekte (*.patina);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Save as</source>
         <translation>Speichern unter</translation>
     </message>
@@ -2540,10 +2842,6 @@
     <message>
         <source>Redo the last undone change</source>
         <translation>Die zuletzt rückgängig gemachte Änderung wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Clear the selection</source>
-        <translation>Die Auswahl aufheben</translation>
     </message>
     <message>
         <source>Show one picture pixel per screen pixel</source>
@@ -2644,6 +2942,34 @@
     <message>
         <source>Files of &quot;%1&quot; cannot be found:</source>
         <translation>Dateien von „%1“ wurden nicht gefunden:</translation>
+    </message>
+    <message>
+        <source>&amp;New from photograph…</source>
+        <translation>&amp;Neu aus Fotografie…</translation>
+    </message>
+    <message>
+        <source>Start a project from a photograph and its depth</source>
+        <translation>Ein Projekt aus einer Fotografie und ihrer Tiefe beginnen</translation>
+    </message>
+    <message>
+        <source>Open a photograph or a project</source>
+        <translation>Eine Fotografie oder ein Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Deselect segment</source>
+        <translation>Segment &amp;abwählen</translation>
+    </message>
+    <message>
+        <source>Edit no segment</source>
+        <translation>Kein Segment bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>A&amp;uswahl</translation>
+    </message>
+    <message>
+        <source>Projects and photographs (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.png *.tif *.tiff *.hdr *.pfm *.pcd);;Patina projects (*.patina);;All files (*)</source>
+        <translation>Projekte und Fotografien (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.png *.tif *.tiff *.hdr *.pfm *.pcd);;Patina-Projekte (*.patina);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -2956,11 +3282,18 @@
     </message>
 </context>
 <context>
-    <name>ui::NewPhotoDialog</name>
+    <name>ui::NavigateTool</name>
     <message>
-        <source>New from photograph and depth</source>
-        <translation>Neu aus Foto und Tiefe</translation>
+        <source>Nothing can be edited yet: choose Smart select and click an object.</source>
+        <translation>Noch lässt sich nichts bearbeiten: Wählen Sie die Objektauswahl und klicken Sie auf ein Objekt.</translation>
     </message>
+    <message>
+        <source>Click a segment to edit it. Drag moves the picture, the wheel zooms.</source>
+        <translation>Klicken Sie auf ein Segment, um es zu bearbeiten. Ziehen bewegt das Bild, das Mausrad zoomt.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::NewPhotoDialog</name>
     <message>
         <source>Pictures (*.exr *.png *.jpg *.jpeg *.tif *.tiff *.hdr *.pfm);;All files (*)</source>
         <translation>Bilder (*.exr *.png *.jpg *.jpeg *.tif *.tiff *.hdr *.pfm);;Alle Dateien (*)</translation>
@@ -3034,16 +3367,8 @@
         <translation>Tiefenkarte derselben Ansicht. Leer lassen, wenn das Foto die Tiefe enthält (Porträtfotos von Handys, EXR mit Kanal Z, Punktwolken).</translation>
     </message>
     <message>
-        <source>Meaning of the numbers in the depth file</source>
-        <translation>Bedeutung der Zahlen in der Tiefendatei</translation>
-    </message>
-    <message>
         <source>Metres per stored unit. Automatic uses what the photograph states, otherwise 1 for floating-point files and 0.001 for 16-bit files.</source>
         <translation>Meter pro gespeicherter Einheit. „Automatisch“ nimmt die Angabe des Fotos, sonst 1 für Gleitkomma-Dateien und 0,001 für 16-Bit-Dateien.</translation>
-    </message>
-    <message>
-        <source>Horizontal field of view. Automatic reads it from the photograph, otherwise assumes 60°.</source>
-        <translation>Horizontaler Bildwinkel. „Automatisch“ liest ihn aus dem Foto und nimmt sonst 60° an.</translation>
     </message>
     <message>
         <source>What the photograph&apos;s file contains</source>
@@ -3074,10 +3399,6 @@
         <translation>kein Bildwinkel angegeben</translation>
     </message>
     <message>
-        <source>no depth inside: choose a depth map</source>
-        <translation>keine Tiefe enthalten: Wählen Sie eine Tiefenkarte</translation>
-    </message>
-    <message>
         <source>no depth inside</source>
         <translation>keine Tiefe enthalten</translation>
     </message>
@@ -3086,24 +3407,116 @@
         <translation>Tiefe enthalten, %1 × %2 Pixel: %3</translation>
     </message>
     <message>
-        <source>The photograph&apos;s file says what its depth is</source>
-        <translation>Die Datei des Fotos gibt an, was ihre Tiefe ist</translation>
-    </message>
-    <message>
-        <source>automatic: %1</source>
-        <translation>automatisch: %1</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>automatic: %1 m, assumed</source>
         <translation>automatisch: %1 m, angenommen</translation>
     </message>
     <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
+        <source>Open a photograph</source>
+        <translation>Fotografie öffnen</translation>
+    </message>
+    <message>
+        <source>Reading the photograph</source>
+        <translation>Die Fotografie wird gelesen</translation>
+    </message>
+    <message>
+        <source>Horizontal field of view. Automatic reads it from the photograph, otherwise assumes 60°. If it is wrong, turned objects look too deep or too flat.</source>
+        <translation>Horizontaler Bildwinkel. Automatisch: aus der Fotografie, sonst werden 60° angenommen. Ist er falsch, sehen gedrehte Gegenstände zu tief oder zu flach aus.</translation>
+    </message>
+    <message>
+        <source>Meaning of the numbers in the depth map</source>
+        <translation>Bedeutung der Zahlen in der Tiefenkarte</translation>
+    </message>
+    <message>
+        <source>Exchange near and far</source>
+        <translation>Nah und fern vertauschen</translation>
+    </message>
+    <message>
+        <source>For maps whose bright parts are far where they should be near, or the other way round: reads the numbers as inverse depth instead of depth, or back</source>
+        <translation>Für Karten, deren helle Teile fern statt nah sind oder umgekehrt: liest die Zahlen als inverse Tiefe statt als Tiefe, oder zurück</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Open with objects that were marked in another program</source>
+        <translation>Mit Objekten öffnen, die in einem anderen Programm markiert wurden</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>Gedreht</translation>
+    </message>
+    <message>
+        <source>From the right and above</source>
+        <translation>Von rechts oben</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>As the camera saw it</source>
+        <translation>Wie die Kamera es sah</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>From above, with the camera below</source>
+        <translation>Von oben, mit der Kamera unten</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>From the right, with the camera at the left</source>
+        <translation>Von rechts, mit der Kamera links</translation>
+    </message>
+    <message>
+        <source>How deep the scene is</source>
+        <translation>Wie tief die Szene ist</translation>
+    </message>
+    <message>
+        <source>Choose a photograph.</source>
+        <translation>Wählen Sie eine Fotografie.</translation>
+    </message>
+    <message>
+        <source>depth map, %1 × %2 pixels</source>
+        <translation>Tiefenkarte, %1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>Depth from %1 to %2 m, half of it nearer than %3 m.</source>
+        <translation>Tiefe von %1 bis %2 m, zur Hälfte näher als %3 m.</translation>
+    </message>
+    <message>
+        <source>Nothing states the unit, so the middle is assumed to be 1 m away.</source>
+        <translation>Die Einheit steht nirgends, daher wird die Mitte in 1 m Entfernung angenommen.</translation>
+    </message>
+    <message>
+        <source>The unit or the kind is probably wrong.</source>
+        <translation>Einheit oder Art sind wahrscheinlich falsch.</translation>
+    </message>
+    <message>
+        <source>inside the photograph</source>
+        <translation>in der Fotografie</translation>
+    </message>
+    <message>
+        <source>automatic: %1 m</source>
+        <translation>automatisch: %1 m</translation>
+    </message>
+    <message>
+        <source>automatic: %1°</source>
+        <translation>automatisch: %1°</translation>
+    </message>
+    <message>
+        <source>automatic: 60°, assumed</source>
+        <translation>automatisch: 60°, angenommen</translation>
+    </message>
+    <message>
+        <source>No depth found. Objects can be selected by their colour. To change materials, add a depth map: choose its file as &quot;Depth&quot;, or open a photograph that has depth, such as the original of a phone&apos;s portrait photo.</source>
+        <translation>Keine Tiefe gefunden. Objekte lassen sich nach ihrer Farbe auswählen. Um Materialien zu ändern, ist eine Tiefenkarte nötig: Wählen Sie ihre Datei als „Tiefe“, oder öffnen Sie eine Fotografie mit Tiefe, etwa das Original eines Handy-Porträtfotos.</translation>
     </message>
 </context>
 <context>
@@ -3161,6 +3574,21 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     </message>
 </context>
 <context>
+    <name>ui::PolygonTool</name>
+    <message>
+        <source>Click the next corner. A double click or Enter closes the outline, Backspace takes a corner back, Escape drops it.</source>
+        <translation>Klicken Sie auf die nächste Ecke. Doppelklick oder Eingabe schließt den Umriss, Rücktaste nimmt eine Ecke zurück, Escape verwirft ihn.</translation>
+    </message>
+    <message>
+        <source>Click the corners of the object, one after the other.</source>
+        <translation>Klicken Sie nacheinander auf die Ecken des Objekts.</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Vieleck</translation>
+    </message>
+</context>
+<context>
     <name>ui::ProfileView</name>
     <message>
         <source>This segment has no valid depth.</source>
@@ -3191,38 +3619,138 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     </message>
 </context>
 <context>
-    <name>ui::SegmentsPanel</name>
+    <name>ui::SegmentActions</name>
     <message>
-        <source>Segments</source>
-        <translation>Segmente</translation>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
     </message>
     <message>
-        <source>Segment</source>
-        <translation>Segment</translation>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>Vereinen</translation>
+    </message>
+    <message>
+        <source>Split into pieces</source>
+        <translation>In Stücke teilen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select pixels</source>
+        <translation>Pixel auswählen</translation>
+    </message>
+    <message>
+        <source>Select all edited</source>
+        <translation>Alle bearbeiteten auswählen</translation>
     </message>
     <message>
         <source>Glossy</source>
         <translation>Glänzend</translation>
     </message>
     <message>
-        <source>Edited</source>
-        <translation>Bearbeitet</translation>
+        <source>Treat the segment&apos;s colours as reflections (Space)</source>
+        <translation>Die Farben des Segments als Spiegelungen verstehen (Leertaste)</translation>
     </message>
     <message>
-        <source>No segments: open a project, or a photograph with a label map.</source>
-        <translation>Keine Segmente: Öffnen Sie ein Projekt oder ein Foto mit Segmentkarte.</translation>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
     </message>
     <message>
-        <source>Segment %1, label %2</source>
-        <translation>Segment %1, Nummer %2</translation>
+        <source>Lock</source>
+        <translation>Sperren</translation>
     </message>
     <message>
-        <source>Has a new material</source>
-        <translation>Hat ein neues Material</translation>
+        <source>Import mask or label map…</source>
+        <translation>Maske oder Segmentkarte importieren…</translation>
     </message>
     <message>
-        <source>Unchanged</source>
-        <translation>Unverändert</translation>
+        <source>Export mask…</source>
+        <translation>Maske exportieren…</translation>
+    </message>
+    <message>
+        <source>Give the segment another name (F2)</source>
+        <translation>Dem Segment einen anderen Namen geben (F2)</translation>
+    </message>
+    <message>
+        <source>Delete the segments; their pixels belong to none (Del)</source>
+        <translation>Die Segmente löschen; ihre Pixel gehören dann zu keinem (Entf)</translation>
+    </message>
+    <message>
+        <source>Select all segments that have a new material</source>
+        <translation>Alle Segmente auswählen, die ein neues Material haben</translation>
+    </message>
+    <message>
+        <source>Select the segments&apos; pixels in the picture</source>
+        <translation>Die Pixel der Segmente im Bild auswählen</translation>
+    </message>
+    <message>
+        <source>Make segments from a black-and-white mask or a label map. Files can also be dropped on the list.</source>
+        <translation>Aus einer Schwarzweißmaske oder einer Segmentkarte Segmente machen. Dateien lassen sich auch auf die Liste ziehen.</translation>
+    </message>
+    <message>
+        <source>Save the segments&apos; pixels as a picture: white on black</source>
+        <translation>Die Pixel der Segmente als Bild speichern: weiß auf schwarz</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
+        <source>Show the new material again</source>
+        <translation>Das neue Material wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Show the segment as photographed, and keep its material</source>
+        <translation>Das Segment zeigen, wie es fotografiert wurde, und sein Material behalten</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Entsperren</translation>
+    </message>
+    <message>
+        <source>Let the segment&apos;s pixels change again</source>
+        <translation>Änderungen an den Pixeln des Segments wieder erlauben</translation>
+    </message>
+    <message>
+        <source>Protect the segment&apos;s pixels from every change</source>
+        <translation>Die Pixel des Segments vor jeder Änderung schützen</translation>
+    </message>
+    <message>
+        <source>Make a segment of the selected pixels, with everything else as in &quot;%1&quot; (Ctrl+J)</source>
+        <translation>Aus den ausgewählten Pixeln ein Segment machen, alles andere wie in „%1“ (Strg+J)</translation>
+    </message>
+    <message>
+        <source>Segments share no pixels: select in the picture the pixels that the copy shall have, and here one segment.</source>
+        <translation>Segmente teilen keine Pixel: Wählen Sie im Bild die Pixel aus, die die Kopie haben soll, und hier ein Segment.</translation>
+    </message>
+    <message>
+        <source>Make one segment of all, with the name and material of &quot;%1&quot; (Ctrl+M)</source>
+        <translation>Aus allen ein Segment machen, mit Namen und Material von „%1“ (Strg+M)</translation>
+    </message>
+    <message>
+        <source>Select two or more segments; the uppermost keeps its name and material.</source>
+        <translation>Wählen Sie zwei oder mehr Segmente aus; das oberste behält Namen und Material.</translation>
+    </message>
+    <message>
+        <source>Make a segment of each piece that does not touch the others</source>
+        <translation>Aus jedem Stück, das die anderen nicht berührt, ein Segment machen</translation>
+    </message>
+    <message>
+        <source>The segment is in one piece, or locked.</source>
+        <translation>Das Segment besteht aus einem Stück oder ist gesperrt.</translation>
+    </message>
+    <message>
+        <source>Select one segment that is in several pieces.</source>
+        <translation>Wählen Sie ein Segment aus, das aus mehreren Stücken besteht.</translation>
+    </message>
+    <message>
+        <source>%1 segments</source>
+        <translation>%1 Segmente</translation>
     </message>
     <message>
         <source>Flag %1 as glossy</source>
@@ -3231,6 +3759,22 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     <message>
         <source>Flag %1 as not glossy</source>
         <translation>%1 als nicht glänzend markieren</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 einblenden</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>%1 sperren</translation>
+    </message>
+    <message>
+        <source>Unlock %1</source>
+        <translation>%1 entsperren</translation>
     </message>
     <message>
         <source>A segment needs a name.</source>
@@ -3245,16 +3789,478 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
         <translation>Segment umbenennen</translation>
     </message>
     <message>
-        <source>Glossy segments show reflections, from which the light is recovered.</source>
-        <translation>Glänzende Segmente zeigen Spiegelungen, aus denen das Licht gewonnen wird.</translation>
+        <source>%1 segments are one now: %2</source>
+        <translation>%1 Segmente sind nun eines: %2</translation>
     </message>
     <message>
-        <source>Click to select a segment, double-click to rename it, check the box to flag it as glossy.</source>
-        <translation>Klicken wählt ein Segment, Doppelklicken benennt es um, das Kästchen markiert es als glänzend.</translation>
+        <source>Merge segments</source>
+        <translation>Segmente vereinen</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>%1 duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicated %1</source>
+        <translation>%1 dupliziert</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>%1 teilen</translation>
+    </message>
+    <message>
+        <source>%1 is in %2 segments now</source>
+        <translation>%1 besteht nun aus %2 Segmenten</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>Please wait until the last file has been read or written.</source>
+        <translation>Bitte warten Sie, bis die letzte Datei gelesen oder geschrieben ist.</translation>
+    </message>
+    <message>
+        <source>Import segments</source>
+        <translation>Segmente importieren</translation>
+    </message>
+    <message>
+        <source>Imported %1</source>
+        <translation>%1 importiert</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>%1 exportiert</translation>
+    </message>
+    <message>
+        <source>Import mask or label map</source>
+        <translation>Maske oder Segmentkarte importieren</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.tif *.tiff *.exr *.pfm *.pgm *.hdr);;All files (*)</source>
+        <translation>Bilder (*.png *.tif *.tiff *.exr *.pfm *.pgm *.hdr);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export mask</source>
+        <translation>Maske exportieren</translation>
+    </message>
+    <message>
+        <source>PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr)</source>
+        <translation>PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SegmentModel</name>
+    <message>
+        <source>&lt;%1 %</source>
+        <translation>&lt;%1 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Segment %1, label %2</source>
+        <translation>Segment %1, Nummer %2</translation>
     </message>
     <message>
         <source>Treat the segment&apos;s colours as reflections</source>
         <translation>Die Farben des Segments als Spiegelungen verstehen</translation>
+    </message>
+    <message>
+        <source>Has a new material</source>
+        <translation>Hat ein neues Material</translation>
+    </message>
+    <message>
+        <source>Unchanged</source>
+        <translation>Unverändert</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pixels</source>
+        <translation>%1 von %2 Pixeln</translation>
+    </message>
+    <message>
+        <source>Its new material is shown. Click to hide it.</source>
+        <translation>Sein neues Material wird gezeigt. Klicken blendet es aus.</translation>
+    </message>
+    <message>
+        <source>It is shown as photographed; its material is kept. Click to show it.</source>
+        <translation>Es wird gezeigt, wie es fotografiert wurde; sein Material bleibt erhalten. Klicken blendet es ein.</translation>
+    </message>
+    <message>
+        <source>Its pixels cannot be changed. Click to unlock it.</source>
+        <translation>Seine Pixel können nicht geändert werden. Klicken entsperrt es.</translation>
+    </message>
+    <message>
+        <source>Click to protect its pixels from changes.</source>
+        <translation>Klicken schützt seine Pixel vor Änderungen.</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>Glossy</source>
+        <translation>Glänzend</translation>
+    </message>
+    <message>
+        <source>Edited</source>
+        <translation>Bearbeitet</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Sort by name</source>
+        <translation>Nach Namen ordnen</translation>
+    </message>
+    <message>
+        <source>Glossy segments show reflections, from which the light is recovered.</source>
+        <translation>Glänzende Segmente zeigen Spiegelungen, aus denen das Licht gewonnen wird.</translation>
+    </message>
+    <message>
+        <source>Segments with a new material</source>
+        <translation>Segmente mit einem neuen Material</translation>
+    </message>
+    <message>
+        <source>Share of the picture</source>
+        <translation>Anteil am Bild</translation>
+    </message>
+    <message>
+        <source>Whether the new material is shown</source>
+        <translation>Ob das neue Material gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Whether the pixels are protected</source>
+        <translation>Ob die Pixel geschützt sind</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SegmentsPanel</name>
+    <message>
+        <source>Segments</source>
+        <translation>Segmente</translation>
+    </message>
+    <message>
+        <source>Open a photograph: File &gt; Open, or drop it on the window.</source>
+        <translation>Öffnen Sie ein Foto: Datei &gt; Öffnen, oder ziehen Sie es auf das Fenster.</translation>
+    </message>
+    <message>
+        <source>Click an object in the picture with Smart select, then press Enter.</source>
+        <translation>Klicken Sie im Bild mit der intelligenten Auswahl auf ein Objekt und drücken Sie dann die Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>Tick Glossy for an object with reflections: the light is recovered from them.</source>
+        <translation>Markieren Sie ein Objekt mit Spiegelungen als glänzend: aus ihnen wird das Licht gewonnen.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SelectionSession</name>
+    <message>
+        <source>Clear selection</source>
+        <translation>Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Select something in the picture first.</source>
+        <translation>Wählen Sie zuerst etwas im Bild aus.</translation>
+    </message>
+    <message>
+        <source>object %1</source>
+        <translation>Objekt %1</translation>
+    </message>
+    <message>
+        <source>New segment</source>
+        <translation>Neues Segment</translation>
+    </message>
+    <message>
+        <source>Add to %1</source>
+        <translation>Zu %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Take from %1</source>
+        <translation>Von %1 wegnehmen</translation>
+    </message>
+    <message>
+        <source>Intersect with %1</source>
+        <translation>Mit %1 schneiden</translation>
+    </message>
+    <message>
+        <source>Find objects</source>
+        <translation>Objekte finden</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Objects found: %1</source>
+        <translation>Gefundene Objekte: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SmartSelectTool</name>
+    <message>
+        <source>Finding regions… A click waits until they are known.</source>
+        <translation>Bereiche werden gesucht … Ein Klick wartet, bis sie bekannt sind.</translation>
+    </message>
+    <message>
+        <source>Click an object to select it; drag over several of its parts.</source>
+        <translation>Klicken Sie auf ein Objekt, um es auszuwählen; ziehen Sie über mehrere seiner Teile.</translation>
+    </message>
+    <message>
+        <source>Click adds, Alt-click takes away. Press Enter to make a segment of it.</source>
+        <translation>Klick fügt hinzu, Alt-Klick nimmt weg. Die Eingabetaste macht ein Segment daraus.</translation>
+    </message>
+    <message>
+        <source>Click inside the picture.</source>
+        <translation>Klicken Sie in das Bild.</translation>
+    </message>
+    <message>
+        <source>Take from selection</source>
+        <translation>Von der Auswahl wegnehmen</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::StartPage</name>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Open photo or project…</source>
+        <translation>Foto oder Projekt öffnen…</translation>
+    </message>
+    <message>
+        <source>Photographs with depth, photographs with a depth map beside them, and projects</source>
+        <translation>Fotografien mit Tiefe, Fotografien mit einer Tiefenkarte daneben, und Projekte</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Recent projects and photographs</source>
+        <translation>Zuletzt geöffnete Projekte und Fotografien</translation>
+    </message>
+    <message>
+        <source>Remove from list</source>
+        <translation>Aus der Liste entfernen</translation>
+    </message>
+    <message>
+        <source>Forget the selected file; the file itself stays (Delete)</source>
+        <translation>Die ausgewählte Datei vergessen; die Datei selbst bleibt (Entf)</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Edited examples</source>
+        <translation>Bearbeitete Beispiele</translation>
+    </message>
+    <message>
+        <source>Change what things in a photograph are made of</source>
+        <translation>Ändern, woraus die Dinge in einer Fotografie bestehen</translation>
+    </message>
+    <message>
+        <source>or drop a file here</source>
+        <translation>oder eine Datei hierher ziehen</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>%1 is no longer in its folder: it was moved, renamed or deleted.</source>
+        <translation>%1 liegt nicht mehr in ihrem Ordner: Sie wurde verschoben, umbenannt oder gelöscht.</translation>
+    </message>
+    <message>
+        <source>The folder of %1 cannot be found: it was moved, or its disk is not connected.</source>
+        <translation>Der Ordner von %1 ist nicht zu finden: Er wurde verschoben, oder sein Laufwerk ist nicht angeschlossen.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ToolBox</name>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>&amp;Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Select the whole picture</source>
+        <translation>Das ganze Bild auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Clear selection</source>
+        <translation>Auswahl auf&amp;heben</translation>
+    </message>
+    <message>
+        <source>Select nothing</source>
+        <translation>Nichts auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;Invert</source>
+        <translation>&amp;Umkehren</translation>
+    </message>
+    <message>
+        <source>Select what is not selected</source>
+        <translation>Auswählen, was nicht ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>&amp;Grow</source>
+        <translation>&amp;Erweitern</translation>
+    </message>
+    <message>
+        <source>Add a border of the width in the bar above the picture</source>
+        <translation>Einen Rand hinzufügen, so breit, wie die Leiste über dem Bild sagt</translation>
+    </message>
+    <message>
+        <source>S&amp;hrink</source>
+        <translation>&amp;Verkleinern</translation>
+    </message>
+    <message>
+        <source>Take a border of the width in the bar above the picture away</source>
+        <translation>Einen Rand wegnehmen, so breit, wie die Leiste über dem Bild sagt</translation>
+    </message>
+    <message>
+        <source>&amp;Fill holes</source>
+        <translation>&amp;Löcher füllen</translation>
+    </message>
+    <message>
+        <source>Add the areas that the selection encloses</source>
+        <translation>Die Flächen hinzufügen, die die Auswahl umschließt</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth</source>
+        <translation>&amp;Glätten</translation>
+    </message>
+    <message>
+        <source>Round the outline off and drop specks, as wide as the bar above the picture says</source>
+        <translation>Umriss abrunden und Krümel weglassen, so breit, wie die Leiste über dem Bild sagt</translation>
+    </message>
+    <message>
+        <source>&amp;Refine whole edge</source>
+        <translation>Ganze &amp;Kante verfeinern</translation>
+    </message>
+    <message>
+        <source>Find the outline again in the photograph, at most the width in the bar above the picture away</source>
+        <translation>Den Umriss im Foto neu suchen, höchstens so weit entfernt, wie die Leiste über dem Bild sagt</translation>
+    </message>
+    <message>
+        <source>&amp;New segment</source>
+        <translation>&amp;Neues Segment</translation>
+    </message>
+    <message>
+        <source>Make a segment of what is selected (Enter)</source>
+        <translation>Aus der Auswahl ein Segment machen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Add &amp;to segment</source>
+        <translation>&amp;Zum Segment hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add what is selected to the current segment</source>
+        <translation>Die Auswahl dem aktuellen Segment hinzufügen</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke from segment</source>
+        <translation>Vom Segment &amp;wegnehmen</translation>
+    </message>
+    <message>
+        <source>Take what is selected away from the current segment</source>
+        <translation>Die Auswahl vom aktuellen Segment wegnehmen</translation>
+    </message>
+    <message>
+        <source>Inter&amp;sect with segment</source>
+        <translation>Mit Segment &amp;schneiden</translation>
+    </message>
+    <message>
+        <source>Leave only what is selected of the current segment</source>
+        <translation>Vom aktuellen Segment nur lassen, was ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Find &amp;objects</source>
+        <translation>&amp;Objekte finden</translation>
+    </message>
+    <message>
+        <source>Make a segment of each object that stands on a table, floor or wall</source>
+        <translation>Aus jedem Objekt auf einem Tisch, Boden oder an einer Wand ein Segment machen</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>The shape replaces the selection</source>
+        <translation>Die Form ersetzt die Auswahl</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>The shape is added to the selection (Shift)</source>
+        <translation>Die Form kommt zur Auswahl hinzu (Umschalt)</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Wegnehmen</translation>
+    </message>
+    <message>
+        <source>The shape is taken from the selection (Alt)</source>
+        <translation>Die Form wird von der Auswahl weggenommen (Alt)</translation>
+    </message>
+    <message>
+        <source>Intersect</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>What the shape and the selection share stays (Shift+Alt)</source>
+        <translation>Was Form und Auswahl gemeinsam haben, bleibt (Umschalt+Alt)</translation>
+    </message>
+    <message>
+        <source>Selection tools</source>
+        <translation>Auswahlwerkzeuge</translation>
+    </message>
+    <message>
+        <source>Tool options</source>
+        <translation>Werkzeugoptionen</translation>
+    </message>
+    <message>
+        <source>Width for growing, shrinking and smoothing</source>
+        <translation>Breite zum Erweitern, Verkleinern und Glätten</translation>
+    </message>
+    <message>
+        <source>By how many pixels Grow, Shrink, Smooth and Refine whole edge change the outline</source>
+        <translation>Um wie viele Bildpunkte Erweitern, Verkleinern, Glätten und Ganze Kante verfeinern den Umriss ändern</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Open a photograph or a project to begin.</source>
+        <translation>Öffnen Sie ein Foto oder ein Projekt, um zu beginnen.</translation>
     </message>
 </context>
 <context>

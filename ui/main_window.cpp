@@ -18,6 +18,7 @@
 #include <QScrollArea>
 #include <QSettings>
 #include <QSignalBlocker>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QVulkanInstance>
 #include <algorithm>
@@ -31,6 +32,7 @@
 #include "ui/canvas/mask_painter.h"
 #include "ui/canvas/substance_ruler.h"
 #include "ui/panels/registry.h"
+#include "ui/start_page.h"
 #include "ui/tools/tool_box.h"
 #include "ui/vulkan_support.h"
 #include "ui/widgets/notice_button.h"
@@ -55,7 +57,7 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWin
         }
     }
     canvas_ = new Canvas(vulkan_.get(), problem, options_.device, this);
-    setCentralWidget(canvas_);
+    makeCentral();
     painter_ = new MaskPainter(workspace_, *canvas_, this);
     ruler_ = new SubstanceRuler(workspace_, *canvas_, this);
     toolBox_ = new ToolBox(workspace_, *canvas_, this);
@@ -102,7 +104,7 @@ MainWindow::MainWindow(const WindowOptions& options, QWidget* parent) : QMainWin
             [this](double zoom) { zoomLabel_->setText(tr("%1 %").arg(zoom * 100, 0, 'f', zoom < 0.1 ? 1 : 0)); });
     readSettings();
     // Otherwise the first number in a panel would have the focus, and with it the wheel.
-    canvas_->setFocus();
+    pages_->currentWidget()->setFocus();
     updateTitle();
     updateActions();
     updateProgress();
@@ -118,6 +120,19 @@ MainWindow::~MainWindow() {
     delete painter_;
     delete ruler_;
     delete canvas_;
+}
+
+void MainWindow::makeCentral() {
+    pages_ = new QStackedWidget(this);
+    pages_->setObjectName(QStringLiteral("pages"));
+    start_ = new StartPage(pages_);
+    pages_->addWidget(start_);
+    pages_->addWidget(canvas_);
+    setCentralWidget(pages_);
+    connect(start_, &StartPage::openPressed, this, &MainWindow::chooseOpen);
+    connect(start_, &StartPage::recentChosen, this, &MainWindow::openRecent);
+    connect(start_, &StartPage::sampleChosen, this, &MainWindow::openSample);
+    connect(start_, &StartPage::recentRemoved, this, &MainWindow::refreshRecent);
 }
 
 bool MainWindow::settled() const {
@@ -182,6 +197,8 @@ void MainWindow::makeDocks() {
         panels_->addAction(dock->toggleViewAction());
         connect(panel, &Panel::message, this, [this](const QString& text) { statusBar()->showMessage(text, 6000); });
         connect(panel, &Panel::error, this, &MainWindow::showError);
+        connect(panel, &Panel::notices, this,
+                [this, key](const QStringList& sentences) { notices_->setNotices(key, sentences); });
     }
     if (firstOfTabs != nullptr) firstOfTabs->raise();
 }
@@ -189,7 +206,13 @@ void MainWindow::makeDocks() {
 void MainWindow::documentReplaced() {
     layerTask_.reset();
     worker_.cancel();
+    shownScene_ = {};
+    shownAnalysis_.reset();
     canvas_->setPhoto(workspace_.scene().photo);
+    if (pages_->currentWidget() != canvas_) {
+        pages_->setCurrentWidget(canvas_);
+        canvas_->setFocus();
+    }
     notices_->setNotices(QStringLiteral("analysis"), {});
     updateTitle();
 }
@@ -204,9 +227,18 @@ void MainWindow::sceneChanged(core::Stage stage) {
         analysisStep_ = tr("Analysing");
         worker_.request(workspace_.generation(), workspace_.scene());
     } else if (!analysing_ && workspace_.analysis() != nullptr) {
-        canvas_->setScene(workspace_.scene(), workspace_.analysis());
+        showScene(workspace_.scene(), workspace_.analysis());
     }
     updateProgress();
+}
+
+void MainWindow::showScene(const core::Scene& scene, const std::shared_ptr<const core::Analysis>& analysis) {
+    core::Scene next = core::visibleScene(scene);
+    next.selection.reset();
+    if (next == shownScene_ && analysis == shownAnalysis_) return;
+    shownScene_ = next;
+    shownAnalysis_ = analysis;
+    canvas_->setScene(next, analysis);
 }
 
 void MainWindow::analysisFinished(const std::shared_ptr<const AnalysisResult>& result) {
@@ -214,7 +246,7 @@ void MainWindow::analysisFinished(const std::shared_ptr<const AnalysisResult>& r
     const bool current = result->generation >= workspace_.analysisGeneration();
     if (current) analysing_ = false;
     workspace_.setAnalysis(result->analysis);
-    canvas_->setScene(current ? workspace_.scene() : result->scene, result->analysis);
+    showScene(current ? workspace_.scene() : result->scene, result->analysis);
     refreshLayerPicture();
     updateProgress();
     if (!current) return;
@@ -378,7 +410,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         workspace_.pickPixel(nullptr);
         return;
     }
-    if (canvas_->hasFocus() && toolBox_->pressKey(*event)) return;
+    if (focusWidget() == canvas_ && toolBox_->pressKey(*event)) return;
     QMainWindow::keyPressEvent(event);
 }
 

@@ -19,6 +19,7 @@ class QDoubleSpinBox;
 class QLabel;
 class QProgressBar;
 class QProgressDialog;
+class QStackedWidget;
 class QVulkanInstance;
 
 namespace ui {
@@ -26,6 +27,7 @@ namespace ui {
 class MaskPainter;
 class NewPhotoDialog;
 class NoticeButton;
+class StartPage;
 class SubstanceRuler;
 class ToolBox;
 
@@ -55,6 +57,8 @@ class MainWindow : public QMainWindow {
     void openFile(const QString& path);
     /// `dialog`, if any, is closed when the project is loaded and says why it is not otherwise.
     void createFrom(const core::CreateOptions& options, ui::NewPhotoDialog* dialog = nullptr);
+    /// Opens a bundled project as a new one, so that saving asks for a place.
+    void openSample(const QString& path);
     void saveTo(const QString& path, std::function<void()> then = {});
     /// Renders the scene to its sample count with a device of its own and saves it: the bytes patina-cli writes for the
     /// same project, samples and seed.
@@ -84,6 +88,8 @@ class MainWindow : public QMainWindow {
                        const QString& help, const std::function<void()>& run);
 
     void sceneChanged(core::Stage stage);
+    /// Hands the scene to the canvas if it renders differently from the one before.
+    void showScene(const core::Scene& scene, const std::shared_ptr<const core::Analysis>& analysis);
     void analysisFinished(const std::shared_ptr<const AnalysisResult>& result);
     void documentReplaced();
     void setLayer(ViewLayer layer);
@@ -114,6 +120,7 @@ class MainWindow : public QMainWindow {
         QString title;
         LoadScene load;
         QString path = {};  ///< of the project; "" = a new one
+        QString file = {};  ///< the recent file whose picture this is; "" = none
         std::function<void()> opened = {};
         std::function<void(const QString&)> failed = {};
         QWidget* parent = nullptr;
@@ -122,9 +129,9 @@ class MainWindow : public QMainWindow {
     void openProject(const QString& path, const core::MovedFiles& moved);
     /// Asks for one of the files that a project misses, finds the others beside it and opens the project.
     void locateFiles(const QString& path, const core::MovedFiles& moved, const std::vector<std::string>& missing);
-    void addRecent(const QString& path);
-    /// Remembers with what a photograph was opened, so that it can be opened again.
-    void addRecentPhoto(const core::CreateOptions& options);
+    /// The start page until something is open, then the canvas.
+    void makeCentral();
+    void openRecent(const QString& path);
     void refreshRecent();
     void readSettings();
     void writeSettings();
@@ -136,6 +143,8 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<QVulkanInstance> vulkan_;  ///< outlives the canvas
     Workspace workspace_;
     AnalysisWorker worker_;
+    QStackedWidget* pages_ = nullptr;
+    StartPage* start_ = nullptr;
     Canvas* canvas_ = nullptr;
     MaskPainter* painter_ = nullptr;
     SubstanceRuler* ruler_ = nullptr;
@@ -143,6 +152,8 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<BackgroundTask> task_;
     std::unique_ptr<BackgroundTask> layerTask_;
     QProgressDialog* progressDialog_ = nullptr;
+    core::Scene shownScene_;  ///< on the canvas
+    std::shared_ptr<const core::Analysis> shownAnalysis_;
     bool analysing_ = false;
     QString analysisStep_;
     bool closing_ = false;

@@ -39,9 +39,10 @@ void MainWindow::makeActions() {
 
 void MainWindow::makeFileMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&File"));
-    addAction(menu, "actionNew", tr("&New from photo and depth…"), QKeySequence::New,
-              tr("Start a project from a photograph and its depth map"), [this] { chooseNew(); });
-    addAction(menu, "actionOpen", tr("&Open…"), QKeySequence::Open, tr("Open a project"), [this] { chooseOpen(); });
+    addAction(menu, "actionNew", tr("&New from photograph…"), QKeySequence::New,
+              tr("Start a project from a photograph and its depth"), [this] { chooseNew(); });
+    addAction(menu, "actionOpen", tr("&Open…"), QKeySequence::Open, tr("Open a photograph or a project"),
+              [this] { chooseOpen(); });
     recent_ = menu->addMenu(tr("Open &recent"));
     recent_->setObjectName(QStringLiteral("recentMenu"));
     menu->addSeparator();

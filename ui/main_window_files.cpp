@@ -8,7 +8,6 @@
 #include <QPointer>
 #include <QProgressDialog>
 #include <QPushButton>
-#include <QSettings>
 #include <QStatusBar>
 #include <algorithm>
 #include <utility>
@@ -22,42 +21,16 @@
 #include "render/renderer.h"
 #include "ui/main_window.h"
 #include "ui/new_photo_dialog.h"
+#include "ui/recent_files.h"
+#include "ui/start_page.h"
 #include "ui/widgets/notice_button.h"
 #include "ui/words.h"
 
 namespace ui {
 
 namespace {
-constexpr int kRecentCount = 10;
-const char* const kRecentKey = "recentFiles";
-const char* const kRecentPhotosKey = "recentPhotos";
 /// Share of the time to open a file that reading takes; converting the picture for the canvas takes the rest.
 constexpr float kLoadedEnd = 0.95f;
-
-QVariantMap settingsOf(const core::CreateOptions& options) {
-    QVariantMap map;
-    map[QStringLiteral("color")] = QString::fromStdString(options.color);
-    map[QStringLiteral("depth")] = QString::fromStdString(options.depth);
-    map[QStringLiteral("segments")] = QString::fromStdString(options.segments);
-    map[QStringLiteral("kind")] = static_cast<int>(options.depthKind);
-    if (options.depthUnit) map[QStringLiteral("unit")] = *options.depthUnit;
-    if (options.hfov) map[QStringLiteral("hfov")] = *options.hfov;
-    return map;
-}
-
-core::CreateOptions optionsOf(const QVariantMap& map) {
-    const auto text = [&](const char* key) { return map.value(QString::fromUtf8(key)).toString().toStdString(); };
-    core::CreateOptions options;
-    options.color = text("color");
-    options.depth = text("depth");
-    options.segments = text("segments");
-    const int kind = map.value(QStringLiteral("kind")).toInt();
-    if (kind >= 0 && kind <= static_cast<int>(core::DepthKind::Inverse))
-        options.depthKind = static_cast<core::DepthKind>(kind);
-    if (map.contains(QStringLiteral("unit"))) options.depthUnit = map.value(QStringLiteral("unit")).toDouble();
-    if (map.contains(QStringLiteral("hfov"))) options.hfov = map.value(QStringLiteral("hfov")).toFloat();
-    return options;
-}
 
 }  // namespace
 
@@ -152,6 +125,7 @@ void MainWindow::openProject(const QString& path, const core::MovedFiles& moved)
                            return core::loadProject(path.toStdString(), notes, progress, moved);
                        },
                    .path = path,
+                   .file = path,
                    .opened =
                        [this, path, moved] {
                            if (moved.empty()) return;
@@ -211,25 +185,46 @@ void MainWindow::locateFiles(const QString& path, const core::MovedFiles& moved,
 
 void MainWindow::createFrom(const core::CreateOptions& options, NewPhotoDialog* dialog) {
     const QPointer<NewPhotoDialog> asking(dialog);
-    confirmDiscard([this, options, asking] {
-        openScene(
-            {.title = tr("Loading %1").arg(QFileInfo(QString::fromStdString(options.color)).fileName()),
-             .load = [options](core::Notes* notes,
-                               const core::Progress& progress) { return core::createScene(options, notes, progress); },
-             .opened =
-                 [this, options, asking] {
-                     addRecentPhoto(options);
-                     if (asking) asking->accept();
-                 },
-             .failed =
-                 [this, asking](const QString& sentence) {
-                     if (asking)
-                         asking->showProblem(sentence);
-                     else
-                         showError(sentence);
-                 },
-             .parent = asking});
+    const std::shared_ptr<const core::PhotoFiles> files = dialog != nullptr ? dialog->files() : nullptr;
+    confirmDiscard([this, options, asking, files] {
+        openScene({.title = tr("Loading %1").arg(QFileInfo(QString::fromStdString(options.color)).fileName()),
+                   .load =
+                       [options, files](core::Notes* notes, const core::Progress& progress) {
+                           return files != nullptr ? core::createScene(options, *files, notes, progress)
+                                                   : core::createScene(options, notes, progress);
+                       },
+                   .file = QString::fromStdString(options.color),
+                   .opened =
+                       [this, options, asking] {
+                           RecentFiles::addPhoto(options);
+                           refreshRecent();
+                           if (asking) asking->accept();
+                       },
+                   .failed =
+                       [this, asking](const QString& sentence) {
+                           if (asking)
+                               asking->showProblem(sentence);
+                           else
+                               showError(sentence);
+                       },
+                   .parent = asking});
     });
+}
+
+void MainWindow::openSample(const QString& path) {
+    confirmDiscard([this, path] {
+        openScene({.title = tr("Opening %1").arg(QFileInfo(path).fileName()),
+                   .load = [path](core::Notes* notes, const core::Progress& progress) {
+                       return core::loadProject(path.toStdString(), notes, progress);
+                   }});
+    });
+}
+
+void MainWindow::openRecent(const QString& path) {
+    if (const auto photo = RecentFiles::photo(path))
+        createFrom(*photo);
+    else
+        openFile(path);
 }
 
 void MainWindow::openScene(Opening opening) {
@@ -241,18 +236,22 @@ void MainWindow::openScene(Opening opening) {
     auto loaded = std::make_shared<Loaded>();
     runTask(
         opening.title,
-        [loaded, load = std::move(opening.load)](const core::Progress& whole) {
+        [loaded, load = std::move(opening.load), file = opening.file](const core::Progress& whole) {
             const core::Progress progress = whole.of(core::Task::LoadPhoto);
             loaded->scene = load(&loaded->notes, progress.part(0, kLoadedEnd));
             progress.checkpoint(kLoadedEnd);
             loaded->original = makeCanvasPicture({loaded->scene.photo->color, false});
+            if (!file.isEmpty()) RecentFiles::setThumbnail(file, makeThumbnail(loaded->scene.photo->color));
             progress.checkpoint(1);
         },
         [this, loaded, path = opening.path, opened = std::move(opening.opened)] {
             workspace_.setDocument(core::Document(std::move(loaded->scene), path.toStdString()));
             canvas_->setOriginal(loaded->original);
             refreshLayerPicture();
-            if (!path.isEmpty()) addRecent(path);
+            if (!path.isEmpty()) {
+                RecentFiles::add(path);
+                refreshRecent();
+            }
             notices_->setNotices(QStringLiteral("file"), translatedEach(loaded->notes));
             notices_->setNotices(QStringLiteral("moved"), {});
             if (opened) opened();
@@ -269,10 +268,10 @@ void MainWindow::chooseNew(const QString& colorFile) {
 }
 
 void MainWindow::chooseOpen() {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Open"), {},
-                                     tr("Projects and photographs (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.pcd);;"
-                                        "Patina projects (*.patina);;All files (*)"));
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open"), {},
+        tr("Projects and photographs (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.png *.tif "
+           "*.tiff *.hdr *.pfm *.pcd);;Patina projects (*.patina);;All files (*)"));
     if (!path.isEmpty()) openFile(path);
 }
 
@@ -297,11 +296,15 @@ void MainWindow::saveTo(const QString& path, std::function<void()> then) {
     const std::uint64_t generation = workspace_.generation();
     runTask(
         tr("Saving %1").arg(QFileInfo(path).fileName()),
-        [scene = workspace_.scene(), path](const core::Progress&) { core::saveProject(scene, path.toStdString()); },
+        [scene = workspace_.scene(), path](const core::Progress&) {
+            core::saveProject(scene, path.toStdString());
+            RecentFiles::setThumbnail(path, makeThumbnail(scene.photo->color));
+        },
         [this, path, generation, then = std::move(then)] {
             // Changes made during the write are not in the file.
             if (generation == workspace_.generation()) workspace_.document().setSaved(path.toStdString());
-            addRecent(path);
+            RecentFiles::add(path);
+            refreshRecent();
             updateTitle();
             statusBar()->showMessage(tr("Saved %1").arg(path), 4000);
             if (then) then();
@@ -363,48 +366,16 @@ void MainWindow::exportEnvironment(const QString& path) {
         [this, path] { statusBar()->showMessage(tr("Exported %1").arg(path), 6000); });
 }
 
-void MainWindow::addRecent(const QString& path) {
-    QSettings settings;
-    QStringList files = settings.value(kRecentKey).toStringList();
-    const QString absolute = QFileInfo(path).absoluteFilePath();
-    files.removeAll(absolute);
-    files.prepend(absolute);
-    settings.setValue(kRecentKey, files.mid(0, kRecentCount));
-    refreshRecent();
-}
-
-void MainWindow::addRecentPhoto(const core::CreateOptions& options) {
-    const auto absolute = [](std::string& path) {
-        if (!path.empty()) path = QFileInfo(QString::fromStdString(path)).absoluteFilePath().toStdString();
-    };
-    core::CreateOptions known = options;
-    for (std::string* path : {&known.color, &known.depth, &known.segments}) absolute(*path);
-    const QString color = QString::fromStdString(known.color);
-    addRecent(color);
-    QSettings settings;
-    QVariantMap photos = settings.value(kRecentPhotosKey).toMap();
-    photos[color] = settingsOf(known);
-    const QStringList files = settings.value(kRecentKey).toStringList();
-    for (const QString& path : photos.keys())
-        if (!files.contains(path)) photos.remove(path);
-    settings.setValue(kRecentPhotosKey, photos);
-}
-
 void MainWindow::refreshRecent() {
     recent_->clear();
-    for (const QString& path : QSettings().value(kRecentKey).toStringList()) {
+    for (const QString& path : RecentFiles::files()) {
         QAction* action = recent_->addAction(QFileInfo(path).fileName());
         action->setToolTip(path);
         action->setStatusTip(path);
-        connect(action, &QAction::triggered, this, [this, path] {
-            const QVariantMap photos = QSettings().value(kRecentPhotosKey).toMap();
-            if (photos.contains(path))
-                createFrom(optionsOf(photos.value(path).toMap()));
-            else
-                openFile(path);
-        });
+        connect(action, &QAction::triggered, this, [this, path] { openRecent(path); });
     }
     recent_->setEnabled(!recent_->isEmpty());
+    start_->refresh();
 }
 
 }  // namespace ui

@@ -48,14 +48,13 @@ QString settingHint(core::Setting setting) {
         case core::Setting::None:
             break;
         case core::Setting::DepthUnit:
-            return QCoreApplication::translate("messages",
-                                               "It is \"Depth unit\" under File > New from photo and depth.");
+            return QCoreApplication::translate("messages", "It is \"Depth unit\" under File > New from photograph.");
         case core::Setting::DepthUnitOrKind:
             return QCoreApplication::translate(
-                "messages", "They are \"Depth unit\" and \"Depth is\" under File > New from photo and depth.");
+                "messages", "They are \"Depth unit\" and \"Depth is\" under File > New from photograph.");
         case core::Setting::FieldOfView:
             return QCoreApplication::translate("messages",
-                                               "\"Field of view\" under File > New from photo and depth sets it.");
+                                               "\"Field of view\" under File > New from photograph sets it.");
     }
     return {};
 }

@@ -40,6 +40,8 @@ void Workspace::changed(core::Stage stage) {
     ++generation_;
     if (stage <= core::Stage::Environment) analysisGeneration_ = generation_;
     if (selected_ != 0 && scene().findSegment(selected_) == nullptr) select(0);
+    // Another segment may get the label.
+    std::erase_if(materials_, [this](const auto& kept) { return scene().findSegment(kept.first.first) == nullptr; });
     if (paintedDrive() == nullptr) setPaintedParameter({});
     emit sceneChanged(stage);
 }

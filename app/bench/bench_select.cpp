@@ -7,6 +7,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/statistics.h"
+#include "core/selection/selection_stroke.h"
 #include "core/selection/selector.h"
 
 namespace render {
@@ -16,6 +17,10 @@ namespace {
 /// Clicks along each axis.
 constexpr int kClicks = 5;
 constexpr double kLargePixels = 12e6;
+constexpr double kLargestPixels = 24e6;
+/// Radius of the measured brush, and the distance of its events [px].
+constexpr float kBrushRadius = 100;
+constexpr float kBrushStep = 30;
 
 /// The photograph enlarged by nearest neighbour, so that its width is `width`.
 core::Photo enlarged(const core::Photo& photo, int width) {
@@ -62,6 +67,22 @@ void measure(const core::Photo& photo, const std::string& suffix, const core::Pr
     results.push_back({"select", "slowest_click_seconds" + suffix, *std::ranges::max_element(clicks), "s"});
 }
 
+/// What an event of the pointer costs while the selection is painted, its dearest options on.
+void measureBrush(const core::Photo& photo, const std::string& suffix, std::vector<BenchResult>& results) {
+    const int width = photo.camera.width, height = photo.camera.height;
+    core::SelectionStroke stroke(core::BinaryMask(width, height),
+                                 {.radius = kBrushRadius, .hardness = 0.5f, .stopAtDepthEdges = true}, photo.color,
+                                 photo.depth, photo.camera.fx);
+    (void)stroke.moveTo(kBrushRadius, static_cast<float>(height) / 2);
+    std::vector<double> events;
+    for (float x = kBrushRadius + kBrushStep; x < static_cast<float>(width) - kBrushRadius; x += kBrushStep) {
+        const core::Clock::time_point event = core::Clock::now();
+        (void)stroke.moveTo(x, static_cast<float>(height) / 2);
+        events.push_back(core::secondsSince(event));
+    }
+    results.push_back({"select", "brush_event_seconds" + suffix, core::median(events), "s"});
+}
+
 }  // namespace
 
 std::vector<BenchResult> benchSelection(const core::Photo& photo, const core::Progress& progress) {
@@ -70,6 +91,7 @@ std::vector<BenchResult> benchSelection(const core::Photo& photo, const core::Pr
     const double ratio = static_cast<double>(photo.camera.width) / photo.camera.height;
     measure(enlarged(photo, static_cast<int>(std::sqrt(kLargePixels * ratio))), ".12_megapixels",
             progress.part(0.3f, 1), results);
+    measureBrush(enlarged(photo, static_cast<int>(std::sqrt(kLargestPixels * ratio))), ".24_megapixels", results);
     return results;
 }
 

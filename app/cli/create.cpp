@@ -13,7 +13,7 @@ namespace {
 
 struct CreateArguments {
     core::CreateOptions options;
-    std::string depthKind = "z";
+    std::string depthKind;
     double depthUnit = 0;
     std::string intrinsics;
     float hfovDegrees = 0;
@@ -49,12 +49,13 @@ void addCreate(CLI::App& app, Session& session) {
     command->add_option("--color", args->options.color, "Photograph")->required()->type_name("FILE");
     command->add_option("--depth", args->options.depth, "Depth map; not needed when the photograph carries its depth")
         ->type_name("FILE");
-    command
-        ->add_option("--depth-kind", args->depthKind,
-                     "What depth values mean: z (planar), distance (along the ray), disparity or inverse (1/z)")
-        ->type_name("KIND")
-        ->check(CLI::IsMember(core::wordsOf<core::DepthKind>()))
-        ->capture_default_str();
+    CLI::Option* kind =
+        command
+            ->add_option("--depth-kind", args->depthKind,
+                         "What depth values mean: z (planar), distance (along the ray), disparity or inverse (1/z) "
+                         "[default: as stated by the photograph, otherwise z]")
+            ->type_name("KIND")
+            ->check(CLI::IsMember(core::wordsOf<core::DepthKind>()));
     CLI::Option* unit =
         command
             ->add_option("--depth-unit", args->depthUnit,
@@ -71,10 +72,10 @@ void addCreate(CLI::App& app, Session& session) {
         ->type_name("FILE");
     command->add_option("--glossy", args->glossy, "Segments that show reflections, by label")->type_name("LABEL,...");
     command->add_option("-o,--output", args->output, "Project file to write")->required()->type_name("P.patina");
-    command->callback([&session, args, unit, hfov] {
-        session.run = [args, unit, hfov] {
+    command->callback([&session, args, kind, unit, hfov] {
+        session.run = [args, kind, unit, hfov] {
             core::CreateOptions& options = args->options;
-            options.depthKind = *core::findWord<core::DepthKind>(args->depthKind);
+            if (kind->count() > 0) options.depthKind = core::findWord<core::DepthKind>(args->depthKind);
             if (unit->count() > 0) options.depthUnit = args->depthUnit;
             if (!args->intrinsics.empty()) {
                 const std::vector<float> n = parseNumbers("--intrinsics", args->intrinsics, 4);

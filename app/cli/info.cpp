@@ -28,6 +28,7 @@ ordered_json describeDepth(const core::ImageF& depth) {
     std::ranges::copy_if(depth.pixels(), std::back_inserter(valid), [](float z) { return z > 0; });
     ordered_json result;
     result["valid_fraction"] = static_cast<double>(valid.size()) / static_cast<double>(depth.size());
+    if (valid.empty()) return result;
     result["median"] = core::median(valid);
     const auto [min, max] = std::ranges::minmax(valid);
     result["min"] = min;
@@ -74,7 +75,7 @@ ordered_json describe(const core::Scene& scene, const std::string& project, cons
     result["depth"] = describeDepth(photo.depth);
     result["depth"]["kind"] = core::wordOf(photo.source.depthKind);
     result["depth"]["unit"] = photo.source.depthUnit;
-    if (photo.source.depth.empty())
+    if (photo.source.depth.empty() && result["depth"].contains("median"))
         if (const core::ImportFormat* format = core::findImportFormat(core::ImportFile(photo.source.color)))
             result["depth"]["inside"] = format->name;
     std::map<std::uint16_t, std::size_t> pixels;
@@ -113,10 +114,14 @@ void printText(const ordered_json& info) {
     std::printf("%s\n", text(info["project"]).c_str());
     std::printf("  photograph   %s, %dx%d\n", text(info["files"]["color"]).c_str(), info["width"].get<int>(),
                 info["height"].get<int>());
-    const ordered_json& depthFile = info["depth"].contains("inside") ? info["depth"]["inside"] : info["files"]["depth"];
-    std::printf("  depth        %s, %.4g to %.4g m (median %.4g m), valid in %.1f %% of the pixels\n",
-                text(depthFile).c_str(), info["depth"]["min"].get<double>(), info["depth"]["max"].get<double>(),
-                info["depth"]["median"].get<double>(), 100 * info["depth"]["valid_fraction"].get<double>());
+    const ordered_json& depth = info["depth"];
+    if (depth.contains("median"))
+        std::printf("  depth        %s, %.4g to %.4g m (median %.4g m), valid in %.1f %% of the pixels\n",
+                    text(depth.contains("inside") ? depth["inside"] : info["files"]["depth"]).c_str(),
+                    depth["min"].get<double>(), depth["max"].get<double>(), depth["median"].get<double>(),
+                    100 * depth["valid_fraction"].get<double>());
+    else
+        std::printf("  depth        none\n");
     std::printf("  camera       fx %g, fy %g, cx %g, cy %g px (%.1f degrees wide)\n",
                 info["intrinsics"]["fx"].get<double>(), info["intrinsics"]["fy"].get<double>(),
                 info["intrinsics"]["cx"].get<double>(), info["intrinsics"]["cy"].get<double>(),

@@ -73,7 +73,11 @@ std::shared_ptr<const Analysis> AnalysisPipeline::run(const Scene& whole, const 
     cache.setInput(Item::Photo, scene.photo, [](Hash& hash, const Photo& photo) {
         const Camera& c = photo.camera;
         hash.add(c.width).add(c.height).add(c.fx).add(c.fy).add(c.cx).add(c.cy);
-        hash.add(photo.color.image()).add(photo.depth.image()).add(photo.labels).add(photo.depthSampleSpacing).add(photo.clipLevel);
+        hash.add(photo.color.image())
+            .add(photo.depth.image())
+            .add(photo.labels)
+            .add(photo.depthSampleSpacing)
+            .add(photo.clipLevel);
     });
     cache.setInput(Item::UserBackDepth, scene.backDepth, addImage);
     cache.setInput(Item::UserEnvironment, scene.environment.image, addImage);

@@ -18,32 +18,27 @@ std::optional<float> fieldOfView(int width, int height, std::optional<float> foc
 
 }  // namespace
 
-PhotoContents inspectPhoto(const std::string& path) {
-    const ImportFile file(path);
-    const ImportFormat* format = findImportFormat(file);
+PhotoContents contentsOf(const PhotoFiles& files) {
     PhotoContents contents;
-    if (format == nullptr) {
-        const ImageInfo info = readImageInfo(path);
-        contents.width = info.width;
-        contents.height = info.height;
-        contents.device = info.device;
-        contents.hfov = fieldOfView(info.width, info.height, info.focal35mm);
-        return contents;
-    }
-    const ImportedPhoto photo = format->read(file);
-    contents.width = photo.color.width();
-    contents.height = photo.color.height();
-    contents.device = photo.device.empty() && isImageFile(path) ? readImageInfo(path).device : photo.device;
-    contents.hfov = fieldOfView(contents.width, contents.height, photo.focal35mm);
+    contents.width = files.info.width;
+    contents.height = files.info.height;
+    contents.device = files.info.device;
+    contents.hfov = fieldOfView(contents.width, contents.height, files.info.focal35mm);
+    contents.depthWidth = files.depth.width();
+    contents.depthHeight = files.depth.height();
+    if (!files.imported) return contents;
+    const ImportedPhoto& photo = *files.imported;
+    contents.device =
+        photo.device.empty() && isImageFile(files.colorPath) ? readImageInfo(files.colorPath).device : photo.device;
     if (photo.camera) contents.hfov = 2 * std::atan(0.5f * static_cast<float>(contents.width) / photo.camera->fx);
-    if (photo.depth.empty()) return contents;
-    contents.depthPlace = Message("messages", format->name);
-    contents.depthWidth = photo.depth.width();
-    contents.depthHeight = photo.depth.height();
+    if (!files.hasDepth() || !files.depthPath.empty()) return contents;
+    contents.depthPlace = Message("messages", findImportFormat(ImportFile(files.colorPath))->name);
     contents.kind = photo.kind;
     contents.unit = photo.unit;
     contents.unitStated = photo.assumedUnit.empty();
     return contents;
 }
+
+PhotoContents inspectPhoto(const std::string& path) { return contentsOf(readStoredDepth(path, {})); }
 
 }  // namespace core

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/message.h"
+#include "core/io/photo_files.h"
 #include "core/scene/scene.h"
 
 namespace core {
@@ -15,13 +16,17 @@ struct PhotoContents {
     int height = 0;
     std::string device;         ///< maker and model of the camera; "" = not stated
     std::optional<float> hfov;  ///< horizontal field of view [rad], from intrinsics or the 35 mm focal length
-    Message depthPlace;         ///< where the depth is, "the auxiliary depth image of a HEIC file"; empty = no depth
-    int depthWidth = 0;
+    /// Where the depth is, "the auxiliary depth image of a HEIC file"; empty = not inside the photograph.
+    Message depthPlace;
+    int depthWidth = 0;  ///< of stored depth, inside or in its own file; 0 = there is none
     int depthHeight = 0;
     std::optional<DepthKind> kind;  ///< as stated
     double unit = 1;                ///< metres per stored unit
     bool unitStated = false;        ///< false: an assumption
 };
+
+/// What was found in files that have been read, with the depth inside the photograph or that of a separate map.
+[[nodiscard]] PhotoContents contentsOf(const PhotoFiles& files);
 
 /// Looks into a photograph: reads the picture and the depth inside it. Throws Error(Input) as core::loadPhoto does; a
 /// picture without depth is none.

@@ -10,8 +10,7 @@
 #include "core/analysis/depth/upsample_depth.h"
 #include "core/base/statistics.h"
 #include "core/io/image_io.h"
-#include "core/io/import/import_format.h"
-#include "core/io/orientation.h"
+#include "core/io/photo_files.h"
 
 namespace core {
 
@@ -22,23 +21,18 @@ namespace {
 constexpr float kDepthEnd = 0.05f;
 /// Reading depth and colour.
 constexpr float kImportEnd = 0.35f;
-/// Enlarging the depth; the labels take the rest.
-constexpr float kEnlargeEnd = 0.92f;
+/// The same when the depth need not be enlarged; the labels take the rest.
+constexpr float kSameSizeEnd = 0.92f;
+/// Of what follows reading: enlarging the depth.
+constexpr float kEnlargeEnd = 0.88f;
 
 constexpr double kDefaultFovDegrees = 60;
-constexpr double kShapeTolerance = 0.02;  ///< relative difference of width / height
 
 void note(Notes* notes, Message sentence) {
     if (notes != nullptr) notes->push_back(std::move(sentence));
 }
 
 std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
-
-/// True if a map can be enlarged to the photograph: same shape within the tolerance, and not larger.
-bool fits(int width, int height, const Camera& camera) {
-    const double ratio = static_cast<double>(width) * camera.height / (static_cast<double>(height) * camera.width);
-    return std::abs(ratio - 1) <= kShapeTolerance && width <= camera.width && height <= camera.height;
-}
 
 template <class T>
 Image<T> enlarge(Image<T> image, const Camera& camera) {
@@ -52,22 +46,6 @@ Image<T> enlarge(Image<T> image, const Camera& camera) {
         }
     }
     return result;
-}
-
-/// Turns a map to the photograph's orientation, still at its own resolution. A map without an orientation tag is turned
-/// when it has the shape of the photograph as stored.
-template <class T>
-Image<T> matchOrientation(Image<T> map, const std::string& path, const Message& what, const Camera& camera,
-                          int mapOrientation, int colorOrientation, const Message& colorPath) {
-    if (fits(map.width(), map.height(), camera)) return map;
-    if (mapOrientation == 1 && colorOrientation >= 5 && fits(map.height(), map.width(), camera))
-        return applyOrientation(std::move(map), colorOrientation);
-    throw Error(ErrorKind::Input,
-                Message("messages",
-                        "%1 size (%2) differs from colour image size (%3); expected the same size or a smaller image "
-                        "of the same shape.")
-                    .with(what, sizeText(map.width(), map.height()), sizeText(camera.width, camera.height)))
-        .withContext(Message("messages", "While loading \"%1\" for \"%2\".").with(path, colorPath));
 }
 
 /// Focal lengths of 0.01 to 1000 image sides, a principal point within 10 image sides.
@@ -148,16 +126,14 @@ std::optional<double> requestedUnit(const PhotoRequest& request) {
     return request.depthUnit;
 }
 
-double chooseUnit(const PhotoRequest& request, const std::string& depthPath, const StoredFormat& format) {
+double chooseUnit(const PhotoRequest& request, const PhotoFiles& files, DepthKind kind) {
     if (const auto unit = requestedUnit(request)) return *unit;
-    const bool length = request.source.depthKind == DepthKind::Z || request.source.depthKind == DepthKind::Distance;
-    if (format.floating) return 1;
-    if (format.bits == 16 && length) return 0.001;
+    if (!needsUnit(files, kind)) return files.depthFormat.floating ? 1 : 0.001;
     throw Error(ErrorKind::Usage,
                 Message("messages",
                         "The depth image \"%1\" stores %2-bit integers, whose unit cannot be guessed: give the metres "
                         "per stored unit.")
-                    .with(depthPath, format.bits)
+                    .with(files.depthPath, files.depthFormat.bits)
                     .about(Setting::DepthUnit));
 }
 
@@ -174,7 +150,6 @@ void enlargeDepth(Photo& photo, const std::string& path, Notes* notes, const Pro
     const int width = photo.depth.width();
     const int height = photo.depth.height();
     const Camera& camera = photo.camera;
-    if (width == camera.width && height == camera.height) return;
     note(notes, Message("messages", "The depth in \"%1\" (%2) is enlarged to the colour image (%3).")
                     .with(path, sizeText(width, height), sizeText(camera.width, camera.height)));
     photo.depth = upsampleDepth(photo.depth, camera.width, camera.height, &photo.color.image(), progress);
@@ -200,71 +175,26 @@ void noteImplausibleDepth(const ImageF& depth, const std::string& path, double u
              .about(Setting::DepthUnitOrKind));
 }
 
-ImageF readDepthFile(const std::string& path, const Camera& camera, int colorOrientation, const Message& colorPath,
-                     const Message& what) {
-    return matchOrientation(loadScalar(path), path, what, camera, readImageInfo(path).orientation, colorOrientation,
-                            colorPath);
-}
-
-ImageInfo importedInfo(const ImportedPhoto& photo) {
-    ImageInfo info;
-    info.width = photo.color.width();
-    info.height = photo.color.height();
-    info.orientation = photo.orientation;
-    info.focal35mm = photo.focal35mm;
-    return info;
-}
-
-/// Photograph of a file that carries depth or that only an import format reads.
-std::optional<ImportedPhoto> importPhoto(const PhotoSource& source) {
-    if (!source.depth.empty() && isImageFile(source.color)) return std::nullopt;
-    const ImportFile file(source.color);
-    const ImportFormat* format = findImportFormat(file);
-    if (format == nullptr) return std::nullopt;
-    return format->read(file);
-}
-
-[[noreturn]] void refuseWithoutDepth(const std::string& path) {
+void noteMissingDepth(const std::string& path, Notes* notes) {
     std::vector<Message> known;
     for (const ImportFormat* format : importFormats()) known.emplace_back("messages", format->name);
-    throw Error(ErrorKind::Input, Message("messages", "\"%1\" contains no depth map (%2), and no depth image is given.")
-                                      .with(path, listed(known)));
+    note(notes, Message("messages",
+                        "\"%1\" contains no depth map (%2), and no depth image is given. Objects can be selected by "
+                        "their colour, but materials cannot be changed: that needs a depth map.")
+                    .with(path, listed(known)));
 }
 
-/// Removes the depth of pixels that surfaces cover only in part (antialiased, moving or out of focus), because it is a
-/// mixture or that of one sample. Where most of the picture is not opaque, alpha is not coverage, and all depth stays.
-ImageF withoutMixedDepth(ImageF depth, const ImageF& coverage) {
-    constexpr float kOpaque = 0.99f;
-    if (!coverage.sameSize(depth)) return depth;
-    std::size_t opaque = 0, count = 0;
-    for (std::size_t i = 0; i < depth.size(); ++i) {
-        if (!(depth[i] > 0)) continue;
-        ++count;
-        if (coverage[i] >= kOpaque) ++opaque;
-    }
-    if (2 * opaque < count) return depth;
-    for (std::size_t i = 0; i < depth.size(); ++i)
-        if (!(coverage[i] >= kOpaque)) depth[i] = 0;
-    return depth;
-}
-
-/// Depth from inside the photograph's file; fills in the kind and unit that the file states.
-ImageF importedDepth(const ImportedPhoto& imported, const PhotoRequest& request, PhotoSource& source,
-                     const Camera& camera, Notes* notes) {
-    if (imported.kind) {
-        if (source.depthKind != DepthKind::Z && source.depthKind != *imported.kind)
-            throw Error(ErrorKind::Usage,
-                        Message("messages",
-                                "The depth kind is \"%1\", but the file says that the depth inside \"%2\" is \"%3\".")
-                            .with(wordOf(source.depthKind), source.color, wordOf(*imported.kind)));
-        source.depthKind = *imported.kind;
-    }
+/// Kind and unit of depth inside the photograph's file, as the user or the file says.
+void chooseMeaning(const ImportedPhoto& imported, const PhotoRequest& request, PhotoSource& source, Notes* notes) {
+    source.depthKind = request.depthKind.value_or(imported.kind.value_or(DepthKind::Z));
+    if (imported.kind && source.depthKind != *imported.kind)
+        note(notes,
+             Message("messages", "The depth inside \"%1\" is read as \"%2\", although the file says that it is \"%3\".")
+                 .with(source.color, wordOf(source.depthKind), wordOf(*imported.kind))
+                 .about(Setting::DepthUnitOrKind));
     const auto given = requestedUnit(request);
     source.depthUnit = given.value_or(imported.unit);
     if (!given && !imported.assumedUnit.empty()) note(notes, imported.assumedUnit);
-    const ImageF stored = matchOrientation(withoutMixedDepth(imported.depth, imported.coverage), source.color,
-                                           Message("messages", "Depth image"), camera, 1, 1, source.color);
-    return planarDepthInside(camera, stored, source.depthKind, source.depthUnit);
 }
 
 void requireValidDepth(const ImageF& depth, const std::string& path) {
@@ -275,6 +205,46 @@ void requireValidDepth(const ImageF& depth, const std::string& path) {
                         "Depth image \"%1\" has no valid pixel: every value is zero, negative, not a number or beyond "
                         "%2 m.")
                     .with(path, static_cast<int>(kMaxDepth)));
+}
+
+bool needsEnlarging(const PhotoReading& reading) {
+    const Camera& camera = reading.camera;
+    return !reading.depth.empty() && (reading.depth.width() != camera.width || reading.depth.height() != camera.height);
+}
+
+/// Fits depth and labels to the colour, which has been read.
+std::shared_ptr<const Photo> finishPhoto(const PhotoFiles& files, const PhotoRequest& request, PhotoReading reading,
+                                         Notes* notes, const Progress& progress) {
+    progress.checkpoint(0);
+    const bool enlarged = needsEnlarging(reading);
+    auto photo = std::make_shared<Photo>();
+    photo->source = std::move(reading.source);
+    photo->camera = reading.camera;
+    photo->color = files.color;
+    for (const Message& remark : files.colorRemarks) note(notes, remark);
+    if (files.imported)
+        photo->clipLevel = files.imported->clipLevel;
+    else if (!files.info.format.floating)
+        photo->clipLevel = 1;
+    const Camera& camera = photo->camera;
+    photo->depth = reading.depth.empty() ? ImageF(camera.width, camera.height, 0.0f) : std::move(reading.depth);
+    const float enlargeEnd = enlarged ? kEnlargeEnd : 0.0f;
+    if (enlarged) enlargeDepth(*photo, files.depthFile(), notes, progress.part(0, enlargeEnd));
+    progress.checkpoint(enlargeEnd);
+    if (files.imported)
+        for (const Message& remark : files.imported->remarks) note(notes, remark);
+    const PhotoSource& source = photo->source;
+    if (source.segments.empty()) {
+        photo->labels = LabelImage(camera.width, camera.height, 0);
+    } else {
+        const ImageInfo labelInfo = readImageInfo(source.segments);
+        photo->labels = enlarge(matchOrientation(loadLabels(source.segments, notes, request.maskEdges), source.segments,
+                                                 Message("messages", "Label map"), camera, labelInfo.orientation,
+                                                 files.info.orientation, source.color),
+                                camera);
+    }
+    progress.checkpoint(1);
+    return photo;
 }
 
 }  // namespace
@@ -294,54 +264,40 @@ ImageF planarDepth(const ImageF& stored, DepthKind kind, double unit, const Came
     return result;
 }
 
+PhotoReading interpretPhoto(const PhotoFiles& files, const PhotoRequest& request, Notes* notes) {
+    PhotoReading reading;
+    reading.source = request.source;
+    PhotoSource& source = reading.source;
+    source.depthKind = request.depthKind.value_or(DepthKind::Z);
+    reading.camera = chooseCamera(request, files.info, files.imported ? files.imported->camera : std::nullopt, notes);
+    if (!files.hasDepth()) {
+        noteMissingDepth(source.color, notes);
+        return reading;
+    }
+    if (source.depth.empty())
+        chooseMeaning(*files.imported, request, source, notes);
+    else
+        source.depthUnit = chooseUnit(request, files, source.depthKind);
+    reading.depth = planarDepthInside(reading.camera, files.depth, source.depthKind, source.depthUnit);
+    requireValidDepth(reading.depth, files.depthFile());
+    noteImplausibleDepth(reading.depth, files.depthFile(), source.depthUnit, notes);
+    return reading;
+}
+
 std::shared_ptr<const Photo> loadPhoto(const PhotoRequest& request, Notes* notes, const Progress& progress) {
     progress.checkpoint(0);
-    auto photo = std::make_shared<Photo>();
-    photo->source = request.source;
-    PhotoSource& source = photo->source;
-    std::optional<ImportedPhoto> imported = importPhoto(source);
-    if (source.depth.empty() && (!imported || imported->depth.empty())) {
-        if (!imported) (void)readImageInfo(source.color);  // reports what is wrong with a file that is not a picture
-        refuseWithoutDepth(source.color);
-    }
-    const ImageInfo info = imported ? importedInfo(*imported) : readImageInfo(source.color);
-    photo->camera = chooseCamera(request, info, imported ? imported->camera : std::nullopt, notes);
-    const Camera& camera = photo->camera;
-    if (source.depth.empty()) {
-        photo->depth = importedDepth(*imported, request, source, camera, notes);
-    } else {
-        source.depthUnit = chooseUnit(request, source.depth, storedFormat(source.depth));
-        photo->depth = planarDepthInside(
-            camera,
-            readDepthFile(source.depth, camera, info.orientation, source.color, Message("messages", "Depth image")),
-            source.depthKind, source.depthUnit);
-    }
-    const std::string& depthPath = source.depth.empty() ? source.color : source.depth;
-    requireValidDepth(photo->depth, depthPath);
-    noteImplausibleDepth(photo->depth, depthPath, source.depthUnit, notes);
-    const bool sameSize = photo->depth.width() == camera.width && photo->depth.height() == camera.height;
-    const float importEnd = sameSize ? kEnlargeEnd : kImportEnd;
-    progress.checkpoint(imported ? importEnd : kDepthEnd);
-    photo->color = imported ? std::move(imported->color) : loadColor(source.color, notes);
-    if (imported)
-        photo->clipLevel = imported->clipLevel;
-    else if (!info.format.floating)
-        photo->clipLevel = 1;
-    enlargeDepth(*photo, depthPath, notes, progress.part(importEnd, kEnlargeEnd));
-    progress.checkpoint(kEnlargeEnd);
-    if (imported)
-        for (const Message& remark : imported->remarks) note(notes, remark);
-    if (source.segments.empty()) {
-        photo->labels = LabelImage(camera.width, camera.height, 0);
-    } else {
-        const ImageInfo labelInfo = readImageInfo(source.segments);
-        photo->labels = enlarge(matchOrientation(loadLabels(source.segments, notes, request.maskEdges), source.segments,
-                                                 Message("messages", "Label map"), camera, labelInfo.orientation,
-                                                 info.orientation, source.color),
-                                camera);
-    }
-    progress.checkpoint(1);
-    return photo;
+    PhotoFiles files = readStoredDepth(request.source.color, request.source.depth);
+    PhotoReading reading = interpretPhoto(files, request, notes);
+    const float readEnd = needsEnlarging(reading) ? kImportEnd : kSameSizeEnd;
+    progress.checkpoint(files.imported ? readEnd : kDepthEnd);
+    readColor(files);
+    return finishPhoto(files, request, std::move(reading), notes, progress.part(readEnd, 1));
+}
+
+std::shared_ptr<const Photo> loadPhoto(const PhotoFiles& files, const PhotoRequest& request, Notes* notes,
+                                       const Progress& progress) {
+    CORE_ASSERT(!files.color.empty(), "the colour has to be read first");
+    return finishPhoto(files, request, interpretPhoto(files, request, notes), notes, progress);
 }
 
 std::shared_ptr<const ImageRgb> loadEnvironment(const std::string& path) {
@@ -365,7 +321,7 @@ std::shared_ptr<const ImageF> loadBackDepth(const std::string& path, const Camer
     const StoredFormat format = storedFormat(path);
     const ImageF depth = planarDepthInside(
         camera,
-        readDepthFile(path, camera, 1, Message("messages", "the photograph"), Message("messages", "Back depth image")),
+        readMapFile(path, camera, 1, Message("messages", "the photograph"), Message("messages", "Back depth image")),
         DepthKind::Z, format.floating ? 1.0 : 0.001);
     requireValidDepth(depth, path);
     return std::make_shared<ImageF>(upsampleDepth(depth, camera.width, camera.height, nullptr));

@@ -58,7 +58,7 @@ PhotoRequest readPhoto(const json& value, const PathReader& paths) {
     paths.read(reader, "color", request.source.color);
     paths.read(reader, "depth", request.source.depth);
     paths.read(reader, "segments", request.source.segments);
-    reader.readWord("depth_kind", request.source.depthKind);
+    if (reader.has("depth_kind")) reader.readWord("depth_kind", request.depthKind.emplace());
     if (reader.has("depth_unit")) {
         double unit = 1;
         reader.read("depth_unit", unit, 1e-12, 1e12);
@@ -228,19 +228,9 @@ Scene withLabelFile(const Scene& scene, const std::string& project) {
     return saved ? scene : withSavedLabels(scene, project);
 }
 
-}  // namespace
-
-Scene createScene(const CreateOptions& options, Notes* notes, const Progress& progress) {
-    PhotoRequest request;
-    request.source.color = options.color;
-    request.source.depth = options.depth;
-    request.source.segments = options.segments;
-    request.source.depthKind = options.depthKind;
-    request.depthUnit = options.depthUnit;
-    request.intrinsics = options.intrinsics;
-    request.hfov = options.hfov;
+Scene sceneOf(std::shared_ptr<const Photo> photo, const CreateOptions& options) {
     Scene scene;
-    scene.photo = loadPhoto(request, notes, progress);
+    scene.photo = std::move(photo);
     addMissingSegments(scene);
     for (const std::string& name : options.glossy) {
         Segment* segment = scene.findSegment(name);
@@ -251,6 +241,28 @@ Scene createScene(const CreateOptions& options, Notes* notes, const Progress& pr
         segment->glossy = true;
     }
     return scene;
+}
+
+}  // namespace
+
+PhotoRequest photoRequest(const CreateOptions& options) {
+    PhotoRequest request;
+    request.source.color = options.color;
+    request.source.depth = options.depth;
+    request.source.segments = options.segments;
+    request.depthKind = options.depthKind;
+    request.depthUnit = options.depthUnit;
+    request.intrinsics = options.intrinsics;
+    request.hfov = options.hfov;
+    return request;
+}
+
+Scene createScene(const CreateOptions& options, Notes* notes, const Progress& progress) {
+    return sceneOf(loadPhoto(photoRequest(options), notes, progress), options);
+}
+
+Scene createScene(const CreateOptions& options, const PhotoFiles& files, Notes* notes, const Progress& progress) {
+    return sceneOf(loadPhoto(files, photoRequest(options), notes, progress), options);
 }
 
 Scene loadProject(const std::string& path, Notes* notes, const Progress& progress, const MovedFiles& moved) {

@@ -13,10 +13,13 @@
 
 namespace core {
 
+struct PhotoFiles;
+struct PhotoRequest;
+
 struct CreateOptions {
     std::string color;                   ///< photograph
-    std::string depth;                   ///< "" = inside the colour file (core/io/import/import_format.h)
-    DepthKind depthKind = DepthKind::Z;  ///< leave Z where the colour file states the kind of the depth inside it
+    std::string depth;                   ///< "" = inside the colour file (core/io/import/import_format.h), or none
+    std::optional<DepthKind> depthKind;  ///< nullopt = as stated by the colour file, otherwise Z
     /// Metres per stored unit. nullopt = as stated by the colour file for depth inside it, otherwise 1 for floats and
     /// 0.001 for 16-bit integers. Required for 8-bit files and for integers that are not lengths (Disparity, Inverse).
     std::optional<double> depthUnit;
@@ -30,10 +33,16 @@ struct CreateOptions {
 
 /// Loads colour, depth and labels into a scene. Depth and labels may be smaller than the colour image if their shape
 /// agrees within 2 %: labels are enlarged by nearest neighbour, depth as core/analysis/depth/upsample_depth.h says, so
-/// that nothing is blended across an edge. Throws Error(Input) naming the file, what was expected and what was found,
+/// that nothing is blended across an edge. A photograph without any depth becomes a scene whose depth is 0 everywhere.
+/// Throws Error(Input) naming the file, what was expected and what was found,
 /// and Error(Usage) for options that are out of range or name labels that do not occur. `notes` receives sentences for
 /// the user about what was assumed.
 [[nodiscard]] Scene createScene(const CreateOptions& options, Notes* notes = nullptr, const Progress& progress = {});
+/// The same with the photograph's files already read, colour included. Only the labels are read.
+[[nodiscard]] Scene createScene(const CreateOptions& options, const PhotoFiles& files, Notes* notes,
+                                const Progress& progress = {});
+/// What the options say about the photograph.
+[[nodiscard]] PhotoRequest photoRequest(const CreateOptions& options);
 
 /// Reads a `.patina` project (JSON; format in docs/project-format.md). Image paths are relative to the project file.
 /// Unknown keys, wrong types and out-of-range values are errors that name the key. An edit whose BRDF's file cannot be

@@ -353,7 +353,7 @@ Scene deleteSegments(const Scene& scene, std::span<const std::uint16_t> labels, 
     return change.finish();
 }
 
-Scene withSegments(const Scene& scene, const LabelImage& objects, Notes* notes) {
+Scene withSegments(const Scene& scene, const LabelImage& objects, Notes* notes, const std::string& name) {
     std::vector<FoundObject> found = foundObjects(scene, objects);
     std::erase_if(found, [](const FoundObject& object) { return 2 * object.free < object.pixels; });
     if (found.empty()) refuse(Message("messages", "No object was found that is not a segment already."));
@@ -366,7 +366,7 @@ Scene withSegments(const Scene& scene, const LabelImage& objects, Notes* notes) 
     LabelTable<std::uint16_t> given(0);
     for (std::size_t i = 0; i < free.size(); ++i) {
         given[found[i].label] = free[i];
-        change.scene().segments.push_back(segmentCalled(free[i], names.numbered("object", 1)));
+        change.scene().segments.push_back(segmentCalled(free[i], names.numbered(name, 1)));
     }
     for (std::size_t i = 0; i < objects.size(); ++i)
         if (change.labels()[i] == 0) change.labels()[i] = given[objects[i]];

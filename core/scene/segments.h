@@ -48,10 +48,11 @@ namespace core {
 /// Their pixels belong to no segment, and their edits are gone.
 [[nodiscard]] Scene deleteSegments(const Scene& scene, std::span<const std::uint16_t> labels, Notes* notes = nullptr);
 
-/// New segments called "object 1", "object 2" ... from a label map of objects that were found. They get only pixels
-/// without a segment; an object of which segments cover more than half is left out. Throws Error(Usage) when none is
-/// new. When the labels run out, a note says how many are missing.
-[[nodiscard]] Scene withSegments(const Scene& scene, const LabelImage& objects, Notes* notes = nullptr);
+/// New segments called "object 1", "object 2" ..., or after another `name`, from a label map of objects that were
+/// found. They get only pixels without a segment; an object of which segments cover more than half is left out. Throws
+/// Error(Usage) when none is new. When the labels run out, a note says how many are missing.
+[[nodiscard]] Scene withSegments(const Scene& scene, const LabelImage& objects, Notes* notes = nullptr,
+                                 const std::string& name = "object");
 
 /// New segments from a label map that was drawn elsewhere: called `name` if it has one label, otherwise `name` and the
 /// label, which they keep where it is free. Throws Error(Usage) when it has none, or more than are free.

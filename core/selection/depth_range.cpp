@@ -21,7 +21,7 @@ constexpr int kLeastWindow = 3;
 /// Times the plane is fitted again to what lies on it.
 constexpr int kRefits = 4;
 constexpr std::size_t kLeastPixels = 6;
-constexpr int kRowsPerCheckpoint = 64;
+constexpr int kDepthRowsPerCheckpoint = 64;
 
 /// 1/z as a linear function of the pixel's place.
 using InversePlane = Eigen::Vector3d;
@@ -57,7 +57,7 @@ BinaryMask within(const ImageF& depth, const std::function<double(int, int)>& ex
                   const Progress& progress) {
     BinaryMask mask(depth.width(), depth.height());
     for (int y = 0; y < depth.height(); ++y) {
-        if (y % kRowsPerCheckpoint == 0)
+        if (y % kDepthRowsPerCheckpoint == 0)
             progress.checkpoint(static_cast<float>(y) / static_cast<float>(depth.height()));
         for (int x = 0; x < depth.width(); ++x) {
             const auto z = static_cast<double>(depth(x, y));

@@ -16,7 +16,7 @@ constexpr float kSpacing = 0.3f;
 constexpr float kAlike = 0.09f;
 /// Steepest surface (tangent of its angle to the picture), and relative deviation of depth that is noise.
 constexpr float kSteepest = 3;
-constexpr float kNoise = 0.01f;
+constexpr float kDepthNoise = 0.01f;
 /// Pixels under the brush from which its mean colour is taken, about.
 constexpr int kMeanPixels = 400;
 
@@ -69,7 +69,7 @@ std::optional<Vector3f> SelectionStroke::meanUnder(Vector2f center, const PixelB
 bool SelectionStroke::onSurface(int x, int y, float distance, float centerDepth) const {
     const float z = (*depth_)(x, y);
     if (!(z > 0)) return !(centerDepth > 0);
-    return centerDepth > 0 && std::abs(z / centerDepth - 1) <= kSteepest * distance / focal_ + kNoise;
+    return centerDepth > 0 && std::abs(z / centerDepth - 1) <= kSteepest * distance / focal_ + kDepthNoise;
 }
 
 PixelBox SelectionStroke::dab(Vector2f center) {

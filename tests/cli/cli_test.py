@@ -365,6 +365,30 @@ class WorkTest(CliTest):
         self.assertIn("60 degrees", assumed.stderr)
         self.assertEqual(assumed.stdout, "")
 
+    def test_a_photograph_without_depth(self):
+        """It can be segmented; every command works or says what it lacks, and an edit changes nothing."""
+        self.small_project()
+        project = self.path("flat.patina")
+        result = self.run_cli("create", "--color", self.path("color.png"), "--segments", self.path("labels.png"),
+                              "--glossy", "1", "-o", project)
+        self.assertIn("contains no depth map", result.stderr)
+        self.assertIn("materials cannot be changed", result.stderr)
+        info = json.loads(self.run_cli("info", project, "--json", "--back-sides").stdout)
+        self.assertEqual(info["depth"]["valid_fraction"], 0)
+        self.assertNotIn("median", info["depth"])
+        self.assertIn("depth        none", self.run_cli("info", project).stdout)
+        self.run_cli("segment", project, "--add", "20,12", "-o", self.path("mask.png"))
+        self.run_cli("segment", project, "--propose", "-o", self.path("proposals.png"))
+        plain = self.run_cli("render", project, "--samples", "1", "-o", self.path("plain.png"))
+        edit = '1={"brdf": "lambert", "diffuse": [0, 1, 0]}'
+        edited = self.run_cli("render", project, "--samples", "1", "--edit", edit, "-o", self.path("edited.png"))
+        for each in (plain, edited):
+            self.assertIn("has no pixel with depth, so it cannot be edited", each.stderr)
+        with open(self.path("plain.png"), "rb") as a, open(self.path("edited.png"), "rb") as b:
+            self.assertEqual(a.read(), b.read())
+        for layer in ("depth", "normals", "environment", "back-depth"):
+            self.run_cli("export", project, "--layer", layer, "-o", self.path("layer.exr"))
+
     def test_info_says_how_back_sides_were_made(self):
         project = self.small_project()
         info = json.loads(self.run_cli("info", project, "--json", "--back-sides").stdout)

@@ -13,7 +13,7 @@
 #include <QTemporaryDir>
 #include <QThread>
 #include <QToolButton>
-#include <QTreeWidget>
+#include <QTreeView>
 #include <QWindow>
 #include <algorithm>
 #include <cmath>
@@ -29,6 +29,7 @@
 #include "tests/ui/support.h"
 #include "ui/canvas/canvas_renderer.h"
 #include "ui/canvas/canvas_window.h"
+#include "ui/canvas/display.h"
 #include "ui/main_window.h"
 
 namespace {
@@ -40,6 +41,7 @@ class CanvasWindowTest : public testing::Test {
     void SetUp() override {
         window_.resize(1400, 900);
         window_.show();
+        test::showCanvas(window_);
         ASSERT_TRUE(window_.canvas().available())
             << test::child<QLabel>(window_, "canvasMessage")->text().toStdString();
         ASSERT_TRUE(test::waitUntil([&] { return !window_.canvas().deviceName().isEmpty(); }, 20000));
@@ -58,10 +60,8 @@ class CanvasWindowTest : public testing::Test {
         box->setCurrentIndex(box->findData(QString::fromUtf8(key)));
         emit box->activated(box->currentIndex());
     }
-    QTreeWidgetItem* row(const QString& segment) {
-        const auto rows = test::child<QTreeWidget>(window_, "segmentList")->findItems(segment, Qt::MatchExactly, 0);
-        return rows.isEmpty() ? nullptr : rows.front();
-    }
+    QTreeView& segmentList() { return *test::child<QTreeView>(window_, "segmentList"); }
+    QModelIndex row(const QString& segment) { return test::segmentRow(segmentList(), segment); }
     /// The widget's pixel that shows a picture pixel's centre.
     QPoint widgetPixel(int x, int y) {
         const QPointF place = window_.canvas().widgetPosition(x, y);
@@ -92,11 +92,12 @@ TEST_F(CanvasWindowTest, EditedPictureIsExportedAsTheHeadlessOne) {
     open();
     setSamples(4);
     settle();
-    ASSERT_NE(row("bowl"), nullptr);
-    row("bowl")->setCheckState(1, Qt::Checked);
+    ASSERT_TRUE(row("bowl").isValid());
+    const QModelIndex glossy = row("bowl").siblingAtColumn(1);
+    QTest::mouseClick(segmentList().viewport(), Qt::LeftButton, {}, segmentList().visualRect(glossy).center());
     EXPECT_TRUE(window_.workspace().scene().findSegment(label("bowl"))->glossy);
     settle();
-    test::child<QTreeWidget>(window_, "segmentList")->setCurrentItem(row("bowl"));
+    segmentList().setCurrentIndex(row("bowl"));
     chooseBrdf("phong");
     auto* exponent = test::child<QSlider>(window_, "exponentSlider");
     // What blocks the thread does so in every round; a busy machine seldom does.
@@ -155,6 +156,30 @@ TEST_F(CanvasWindowTest, EditedPictureIsExportedAsTheHeadlessOne) {
         }
     EXPECT_GT(changedInside, 1000u);
     EXPECT_EQ(changedOutside, 0u);
+}
+
+TEST(CanvasWindowTestStart, GivesWayToTheCanvasOfThePhotograph) {
+    ui::MainWindow window;
+    window.resize(1000, 700);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    EXPECT_TRUE(test::child<QWidget>(window, "startPage")->isVisible());
+    EXPECT_FALSE(window.canvas().isVisible());
+    QTest::qWait(200);
+    window.openFile(kSample);
+    ASSERT_TRUE(test::waitUntil([&] { return window.workspace().hasPhoto() && window.settled(); }, 100000));
+    EXPECT_FALSE(test::child<QWidget>(window, "startPage")->isVisible());
+    EXPECT_FALSE(window.canvas().deviceName().isEmpty());
+    const QPoint middle = window.canvas().mapToGlobal(window.canvas().widgetPosition(440, 330).toPoint());
+    const core::Vector3f& there = window.workspace().scene().photo->color(440, 330);
+    const QColor expected = ui::displayColor(there);
+    ASSERT_TRUE(test::waitUntil(
+        [&] {
+            const QColor seen = window.screen()->grabWindow(0, middle.x(), middle.y(), 1, 1).toImage().pixelColor(0, 0);
+            return std::abs(seen.red() - expected.red()) + std::abs(seen.green() - expected.green()) < 60;
+        },
+        10000))
+        << "the canvas shows the photograph";
 }
 
 TEST_F(CanvasWindowTest, ShowsThePhotographAndPicksSegments) {

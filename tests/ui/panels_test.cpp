@@ -14,7 +14,7 @@
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QToolButton>
-#include <QTreeWidget>
+#include <QTreeView>
 #include <QWheelEvent>
 #include <cmath>
 #include <memory>
@@ -24,6 +24,7 @@
 #include "core/material/brdf_file.h"
 #include "core/material/metals.h"
 #include "core/material/translucency.h"
+#include "core/scene/segments.h"
 #include "tests/support/merl_file.h"
 #include "tests/support/other_value.h"
 #include "tests/support/temp_folder.h"
@@ -83,44 +84,46 @@ TEST_F(Panels, EveryPanelLivesWithoutADocumentAndNamesItsControls) {
 TEST_F(Panels, SegmentListShowsAndEditsFlagsAndNames) {
     ui::SegmentsPanel panel(workspace_);
     open();
-    auto* list = test::child<QTreeWidget>(panel, "segmentList");
-    ASSERT_EQ(list->topLevelItemCount(), 2);
-    EXPECT_EQ(list->topLevelItem(1)->text(0), "card");
-    list->topLevelItem(1)->setCheckState(1, Qt::Checked);
+    auto* list = test::child<QTreeView>(panel, "segmentList");
+    QAbstractItemModel& model = *list->model();
+    ASSERT_EQ(model.rowCount(), 2);
+    const QModelIndex name = model.index(1, 0), glossy = model.index(1, 1);
+    EXPECT_EQ(name.data().toString(), "card");
+    model.setData(glossy, Qt::Checked, Qt::CheckStateRole);
     EXPECT_TRUE(segment(2).glossy);
-    list->topLevelItem(1)->setText(0, "badge");
+    model.setData(name, QStringLiteral("badge"), Qt::EditRole);
     EXPECT_EQ(segment(2).name, "badge");
     workspace_.document().undo();
-    EXPECT_EQ(list->topLevelItem(1)->text(0), "card");
-    EXPECT_EQ(list->topLevelItem(1)->checkState(1), Qt::Checked);
+    EXPECT_EQ(name.data().toString(), "card");
+    EXPECT_EQ(glossy.data(Qt::CheckStateRole).toInt(), Qt::Checked);
     workspace_.document().undo();
-    EXPECT_EQ(list->topLevelItem(1)->checkState(1), Qt::Unchecked);
+    EXPECT_EQ(glossy.data(Qt::CheckStateRole).toInt(), Qt::Unchecked);
 }
 
 TEST_F(Panels, SegmentNamesStayUniqueAndNeverEmpty) {
     ui::SegmentsPanel panel(workspace_);
     open();
     QSignalSpy messages(&panel, &ui::Panel::message);
-    auto* list = test::child<QTreeWidget>(panel, "segmentList");
-    list->topLevelItem(1)->setText(0, "wall");
-    list->topLevelItem(1)->setText(0, "   ");
+    QAbstractItemModel& model = *test::child<QTreeView>(panel, "segmentList")->model();
+    model.setData(model.index(1, 0), QStringLiteral("wall"), Qt::EditRole);
+    model.setData(model.index(1, 0), QStringLiteral("   "), Qt::EditRole);
     EXPECT_EQ(messages.size(), 2);
     EXPECT_EQ(segment(2).name, "card");
-    EXPECT_EQ(list->topLevelItem(1)->text(0), "card");
+    EXPECT_EQ(model.index(1, 0).data().toString(), "card");
     EXPECT_FALSE(workspace_.document().canUndo());
 }
 
 TEST_F(Panels, SelectionGoesBothWays) {
     ui::SegmentsPanel panel(workspace_);
     open();
-    auto* list = test::child<QTreeWidget>(panel, "segmentList");
-    list->setCurrentItem(list->topLevelItem(1));
+    auto* list = test::child<QTreeView>(panel, "segmentList");
+    list->setCurrentIndex(list->model()->index(1, 0));
     EXPECT_EQ(workspace_.selectedLabel(), 2);
     workspace_.select(1);
-    EXPECT_EQ(list->currentItem(), list->topLevelItem(0));
+    EXPECT_EQ(list->currentIndex().row(), 0);
     workspace_.select(77);
     EXPECT_EQ(workspace_.selectedLabel(), 0);
-    EXPECT_EQ(list->currentItem(), nullptr);
+    EXPECT_FALSE(list->currentIndex().isValid());
 }
 
 TEST_F(Panels, MaterialControlsComeFromTheTableOfEachBrdf) {
@@ -189,6 +192,15 @@ TEST_F(Panels, TheOldMaterialComesBackWithItsPaintedMask) {
     workspace_.select(1);
     chooseBrdf(panel, "phong");
     EXPECT_TRUE(segment(1).edit->drives.empty()) << "another segment has its own";
+
+    core::BinaryMask corner(32, 24);
+    corner(0, 0) = 1;
+    workspace_.editScene(
+        "delete", [](core::Scene& scene) { scene = core::deleteSegments(scene, std::vector<std::uint16_t>{2}); });
+    workspace_.editScene("new", [&](core::Scene& scene) { scene = core::withSegment(scene, corner, "2"); });
+    workspace_.select(2);
+    chooseBrdf(panel, "phong");
+    EXPECT_TRUE(segment(2).edit->drives.empty()) << "another segment with the same label";
     open();
     workspace_.select(2);
     chooseBrdf(panel, "phong");

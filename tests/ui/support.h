@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QAbstractItemView>
 #include <QElapsedTimer>
+#include <QStackedWidget>
 #include <QTest>
 #include <functional>
 #include <string>
@@ -22,6 +24,18 @@ T* child(QObject& parent, const char* name) {
     T* found = parent.findChild<T*>(QString::fromUtf8(name));
     if (found == nullptr) qFatal("no child named %s", name);
     return found;
+}
+
+/// Row of a segment in the list of segments; invalid when it is not there.
+inline QModelIndex segmentRow(const QAbstractItemView& list, const QString& name) {
+    const QAbstractItemModel& model = *list.model();
+    const auto rows = model.match(model.index(0, 0), Qt::DisplayRole, name, 1, Qt::MatchExactly);
+    return rows.isEmpty() ? QModelIndex() : rows.front();
+}
+
+/// Shows the canvas instead of the start page: its device starts when it is first shown.
+inline void showCanvas(QWidget& window) {
+    child<QStackedWidget>(window, "pages")->setCurrentWidget(child<QWidget>(window, "canvas"));
 }
 
 /// The segment of this name; the label 0 stands for none.

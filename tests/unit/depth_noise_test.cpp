@@ -137,7 +137,7 @@ core::Photo withEnlargedTerraces(int width, int height, float factor) {
     constexpr float kStep = 0.006f;  // [1/m], 256 of them from 0.65 m to infinity
     for (float& z : map.pixels())
         if (z > 0) z = 1 / (kStep * std::round(1 / (kStep * z)));
-    photo.depth = core::upsampleDepth(map, width, height, &photo.color);
+    photo.depth = core::upsampleDepth(map, width, height, &photo.color.image());
     for (std::size_t i = 0; i < photo.labels.size(); ++i)
         if (photo.labels[i] == 0) photo.depth[i] = 0;
     photo.depthSampleSpacing = factor;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Damaged and dishonest files that claim to carry depth: refused at once, with a message, in little memory.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "core/io/import/import_format.h"
@@ -29,6 +31,18 @@ class ImportHostileTest : public testing::Test {
         test::expectError(ErrorKind::Input, parts, [&] { (void)core::createScene(options); });
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
         EXPECT_LT(seconds.count(), 2.0);
+    }
+
+    /// The file is taken for a picture without depth, and that is said.
+    void expectWithoutDepth(const std::string& name, const std::string& bytes) {
+        SCOPED_TRACE(name);
+        test::writeBytes(folder / name, bytes);
+        core::CreateOptions options;
+        options.color = folder / name;
+        core::Notes notes;
+        const core::Scene scene = core::createScene(options, &notes);
+        EXPECT_TRUE(std::ranges::all_of(scene.photo->depth.pixels(), [](float z) { return z == 0; }));
+        EXPECT_THAT(core::english(notes), testing::Contains(testing::HasSubstr(name + "\" contains no depth map")));
     }
 
     /// Whatever is done to the file, it is read or refused.
@@ -172,7 +186,7 @@ TEST_F(ImportHostileTest, PictureIndexThatPointsElsewhere) {
     expectRefused("cut.jpg", whole.substr(0, whole.size() - 10), {"truncated", "MPF"});
     expectRefused("beyond.jpg", test::withSegments(front, test::mpfSegment(0xfffffff0U, 100)), {"MPF"});
     expectRefused("endless.jpg", test::withSegments(front, test::mpfSegment(10, 0xffffffffU)), {"MPF"});
-    expectRefused("nowhere.jpg", test::withSegments(front, test::mpfSegment(5, 50)), {"no depth map"});
+    expectWithoutDepth("nowhere.jpg", test::withSegments(front, test::mpfSegment(5, 50)));
     expectNoCrash("m.jpg", whole, 10, 13);
 
     const auto withRange = [&](const std::string& xmp) {
@@ -181,8 +195,7 @@ TEST_F(ImportHostileTest, PictureIndexThatPointsElsewhere) {
     const std::vector<double> k{50, 0, 0, 0, 51, 0, 20, 15, 1};
     expectRefused("norange.jpg", withRange(test::appleXmp("", "", 32, 16, k)), {"FloatMinValue"});
     expectRefused("inverted.jpg", withRange(test::appleXmp("2", "1", 32, 16, k)), {"FloatMinValue"});
-    expectRefused("matte.jpg", withRange(test::appleXmp("0", "1", 32, 16, k, "portraiteffectsmatte")),
-                  {"no depth map"});
+    expectWithoutDepth("matte.jpg", withRange(test::appleXmp("0", "1", 32, 16, k, "portraiteffectsmatte")));
     // Intrinsics that no camera has are left out, and said to be.
     for (const std::vector<double>& wrong : {std::vector<double>{0, 0, 0, 0, 0, 0, 0, 0, 1}, {1e300}, {}}) {
         test::writeBytes(folder / "k.jpg", withRange(test::appleXmp("0.5", "2.5", 32, 16, wrong)));

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Photographs that carry their depth, from files made here.
 #include <OpenImageIO/deepdata.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "core/base/color.h"
+#include "core/io/depth_beside.h"
 #include "core/io/import/import_format.h"
 #include "core/io/import/lzf.h"
 #include "core/io/import/xmp.h"
 #include "core/io/orientation.h"
 #include "core/io/photo_contents.h"
+#include "core/io/photo_loader.h"
 #include "core/io/project.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/photo_containers.h"
@@ -445,7 +450,7 @@ TEST_F(ImportTest, TheUserKnowsBetterThanTheFile) {
 
     core::saveProject(scene, folder / "p.patina");
     const core::Scene again = core::loadProject(folder / "p.patina");
-    EXPECT_EQ(again.photo->depth, scene.photo->depth);
+    EXPECT_EQ(again.photo->depth.image(), scene.photo->depth.image());
     EXPECT_EQ(again.photo->camera, scene.photo->camera);
 
     options.intrinsics = core::Camera{0, 0, 40, 40, 16, 8};
@@ -454,7 +459,17 @@ TEST_F(ImportTest, TheUserKnowsBetterThanTheFile) {
     EXPECT_EQ(own.photo->camera.fx, 40);
     EXPECT_NEAR(own.photo->depth(9, 9), 2 * metres, 0.02);
     options.depthKind = DepthKind::Distance;
-    test::expectError(ErrorKind::Usage, {"distance", "m.jpg", "disparity"}, [&] { (void)core::createScene(options); });
+    notes.clear();
+    const core::Scene other = core::createScene(options, &notes);
+    EXPECT_NEAR(other.photo->depth(16, 8), 2 / metres, 0.02) << "straight ahead, so a distance is a depth";
+    EXPECT_THAT(core::english(notes), testing::Contains(testing::AllOf(testing::HasSubstr("read as \"distance\""),
+                                                                       testing::HasSubstr("\"disparity\""))));
+    core::saveProject(other, folder / "other.patina");
+    EXPECT_EQ(core::loadProject(folder / "other.patina").photo->depth.image(), other.photo->depth.image());
+    options.depthKind = DepthKind::Z;
+    const core::Scene planar = core::createScene(options);
+    core::saveProject(planar, folder / "z.patina");
+    EXPECT_EQ(core::loadProject(folder / "z.patina").photo->depth.image(), planar.photo->depth.image());
 }
 
 TEST_F(ImportTest, ASeparateDepthImageReplacesTheOneInside) {
@@ -489,6 +504,93 @@ TEST_F(ImportTest, AFileWithoutDepthSaysWhereItWasLookedFor) {
     test::writeBytes(folder / "plain.jpg", grey(6, 4, 50));
     core::CreateOptions options;
     options.color = folder / "plain.jpg";
-    test::expectError(ErrorKind::Input, {"plain.jpg", "no depth map", "channel Z", "Google", "HEIC", "PCD"},
-                      [&] { (void)core::createScene(options); });
+    core::Notes notes;
+    const core::Scene scene = core::createScene(options, &notes);
+    EXPECT_TRUE(std::ranges::all_of(scene.photo->depth.pixels(), [](float z) { return z == 0; }));
+    EXPECT_TRUE(scene.photo->depth.sameSize(scene.photo->color));
+    const std::vector<std::string> said = core::english(notes);
+    const auto note = std::ranges::find_if(
+        said, [](const std::string& sentence) { return sentence.find("no depth map") != std::string::npos; });
+    ASSERT_NE(note, said.end());
+    for (const char* part : {"plain.jpg", "channel Z", "Google", "HEIC", "PCD", "cannot be changed"})
+        EXPECT_THAT(*note, testing::HasSubstr(part));
+    core::saveProject(scene, folder / "plain.patina");
+    EXPECT_EQ(core::loadProject(folder / "plain.patina").photo->depth.image(), scene.photo->depth.image());
+}
+
+TEST_F(ImportTest, FilesThatWereReadGiveTheSamePhotograph) {
+    writeGdepth(folder / "g.jpg", "GDepth:Format=\"RangeInverse\" GDepth:Near=\"2\" GDepth:Far=\"10\"", 1,
+                grey(6, 4, 200));
+    std::vector<float> ramp(6);
+    for (std::size_t i = 0; i < ramp.size(); ++i) ramp[i] = 1 + static_cast<float>(i);
+    test::writePfm(folder / "d.pfm", 3, 2, 1, ramp);
+    for (const char* depth : {"", "d.pfm"}) {
+        SCOPED_TRACE(depth);
+        core::CreateOptions options;
+        options.color = folder / "g.jpg";
+        if (*depth != 0) options.depth = folder / depth;
+        core::PhotoFiles files = core::readStoredDepth(options.color, options.depth);
+        core::readColor(files);
+        core::Notes direct;
+        core::Notes reused;
+        const core::Scene expected = core::createScene(options, &direct);
+        const core::Scene scene = core::createScene(options, files, &reused);
+        EXPECT_EQ(scene.photo->depth.image(), expected.photo->depth.image());
+        EXPECT_EQ(scene.photo->color.image(), expected.photo->color.image());
+        EXPECT_TRUE(scene.photo->color.shares(files.color)) << "no second copy of the colour";
+        EXPECT_EQ(scene.photo->source, expected.photo->source);
+        EXPECT_EQ(scene.photo->clipLevel, expected.photo->clipLevel);
+        EXPECT_EQ(core::english(reused), core::english(direct));
+        const core::PhotoReading reading = core::interpretPhoto(files, core::photoRequest(options), nullptr);
+        EXPECT_EQ(reading.camera, expected.photo->camera);
+        if (reading.depth.sameSize(expected.photo->depth)) {
+            EXPECT_EQ(reading.depth, expected.photo->depth.image());
+        }
+    }
+}
+
+TEST_F(ImportTest, AnUnknownUnitCanBeChosenByTheMedianDepth) {
+    test::writeBytes(folder / "plain.jpg", grey(5, 1, 50));
+    test::writePnm8(folder / "d8.pgm", 5, 1, 1, {0, 10, 20, 40, 80});
+    const core::PhotoFiles files = core::readStoredDepth(folder / "plain.jpg", folder / "d8.pgm");
+    for (const DepthKind kind : {DepthKind::Z, DepthKind::Inverse}) {
+        EXPECT_TRUE(core::needsUnit(files, kind));
+        core::CreateOptions options;
+        options.color = folder / "plain.jpg";
+        options.depth = folder / "d8.pgm";
+        options.depthKind = kind;
+        options.depthUnit = core::unitForMedian(files, kind, 1);
+        const core::ImageF depth = core::createScene(options).photo->depth;
+        EXPECT_EQ(depth(0, 0), 0);
+        // The values in order are 10, 20, 40, 80; the median lies in the middle of 20 and 40 or is one of them.
+        EXPECT_LE(std::min(depth(2, 0), depth(3, 0)), 1.0f);
+        EXPECT_GE(std::max(depth(2, 0), depth(3, 0)), 1.0f);
+    }
+}
+
+TEST_F(ImportTest, DepthBesideThePhotographIsFoundByItsName) {
+    const auto found = [&](const std::string& photo, const std::vector<std::string>& others) -> std::string {
+        const test::TempFolder place;
+        test::writeBytes(place / photo, "x");
+        for (const std::string& other : others) test::writeBytes(place / other, "x");
+        const auto beside = core::findDepthBeside(place / photo);
+        return beside ? std::filesystem::path(beside->path).filename().string() : "";
+    };
+    EXPECT_EQ(found("vase.jpg", {"vase_depth.png", "pot_depth.png", "pot.jpg"}), "vase_depth.png");
+    EXPECT_EQ(found("vase.jpg", {"vase.depth.exr", "vase_depth.png"}), "vase.depth.exr") << "EXR first";
+    EXPECT_EQ(found("Vase.JPG", {"depth_vase.PNG"}), "depth_vase.PNG");
+    EXPECT_EQ(found("IMG_12.jpg", {"IMG_12Depth.png", "IMG_1.jpg", "IMG_1Depth.png"}), "IMG_12Depth.png");
+    EXPECT_EQ(found("rgb.png", {"depth.png", "camera.json", "pot.png"}), "depth.png");
+    EXPECT_EQ(found("80-opaque-rgb-img.jpg", {"80-opaque-depth-img.exr", "80-transparent-depth-img.exr"}),
+              "80-opaque-depth-img.exr");
+    EXPECT_EQ(found("1.png", {"1_depth.png", "2_depth.png", "2.png"}), "1_depth.png");
+    EXPECT_EQ(found("vase.jpg", {"depth.png"}), "depth.png") << "the only photograph here";
+    EXPECT_EQ(found("vase.jpg", {"depth.png", "pot.jpg"}), "") << "of which of the two?";
+    EXPECT_EQ(found("vase.jpg", {"vase_depth.txt", "vase2_depth.png", "depthcharge.png"}), "");
+    EXPECT_EQ(found("color.exr", {"depth_back.exr"}), "");
+    EXPECT_EQ(found("vase_depth.png", {"vase_depth.exr"}), "") << "a depth map itself";
+    EXPECT_FALSE(core::findDepthBeside(folder / "no/such/folder/a.jpg").has_value());
+    test::writeBytes(folder / "a.jpg", "x");
+    test::writeBytes(folder / "a_disparity.png", "x");
+    EXPECT_EQ(core::findDepthBeside(folder / "a.jpg").value().kind, DepthKind::Disparity);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/notes.h"
 #include "core/analysis/pipeline.h"
 #include "core/io/project.h"
 #include "tests/support/image_files.h"
@@ -63,6 +64,25 @@ TEST_F(PhotoTest, KnowsHowFarItsDepthWasEnlarged) {
     EXPECT_EQ(enlarged.photo->depthSampleSpacing, 2);
     EXPECT_TRUE(enlarged.photo->depth.sameSize(enlarged.photo->color));
     EXPECT_THAT(core::english(notes), Contains(HasSubstr("enlarged")));
+}
+
+TEST_F(PhotoTest, WithoutAnyDepthTheAnalysisSaysOfEachSegmentThatItCannotBeEdited) {
+    core::Scene scene = test::stillLife(test::testCamera(80, 60)).scene();
+    scene.environment.height = 32;
+    core::Photo photo = *scene.photo;
+    photo.depth = core::ImageF(80, 60, 0.0f);
+    scene.photo = std::make_shared<core::Photo>(photo);
+    for (core::Segment& segment : scene.segments) {
+        segment.glossy = true;
+        segment.edit = core::Material{};
+    }
+    const auto analysis = core::AnalysisPipeline().run(scene);
+    EXPECT_TRUE(std::ranges::all_of(analysis->front->depth.pixels(), [](float z) { return z == 0; }));
+    EXPECT_TRUE(analysis->backSides.empty());
+    const std::vector<std::string> said = core::english(core::analysisNotes(scene, *analysis));
+    for (const core::Segment& segment : scene.segments)
+        EXPECT_THAT(said,
+                    Contains(HasSubstr("\"" + segment.name + "\" has no pixel with depth, so it cannot be edited")));
 }
 
 TEST_F(PhotoTest, SegmentsWithoutAnyDepthAreAnalysedAsTheDistance) {

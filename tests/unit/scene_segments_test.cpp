@@ -496,6 +496,7 @@ TEST(WithSegments, NewOnesGetOnlyPixelsWithoutSegment) {
     EXPECT_TRUE(notes.empty());
     expectWhole(after);
     EXPECT_NE(refusal([&] { return core::withSegments(after, objects.photo->labels); }), "") << "none is new";
+    EXPECT_EQ(segmentOf(after = core::withSegments(scene, objects.photo->labels, nullptr, "Ding"), 4).name, "Ding 3");
     EXPECT_NE(refusal([&] { return core::withSegments(scene, core::LabelImage(8, 3, 0)); }), "");
 }
 

@@ -10,8 +10,8 @@
 
 namespace {
 
-constexpr int kWidth = 80;
-constexpr int kHeight = 60;
+constexpr int kRoomWidth = 80;
+constexpr int kRoomHeight = 60;
 
 std::size_t count(const core::BinaryMask& mask) {
     std::size_t sum = 0;
@@ -21,9 +21,9 @@ std::size_t count(const core::BinaryMask& mask) {
 
 /// A floor, 1/z = a·y + b below row 20, in front of a wall at 4 m; a box at 1.5 m on it.
 core::ImageF makeRoom() {
-    core::ImageF depth(kWidth, kHeight, 4.0f);
-    for (int y = 20; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) depth(x, y) = 1 / (0.25f + 0.01f * static_cast<float>(y - 20));
+    core::ImageF depth(kRoomWidth, kRoomHeight, 4.0f);
+    for (int y = 20; y < kRoomHeight; ++y)
+        for (int x = 0; x < kRoomWidth; ++x) depth(x, y) = 1 / (0.25f + 0.01f * static_cast<float>(y - 20));
     for (int y = 25; y < 45; ++y)
         for (int x = 30; x < 50; ++x) depth(x, y) = 1.5f;
     return depth;
@@ -32,8 +32,8 @@ core::ImageF makeRoom() {
 TEST(SelectByDepth, ARangeIsWhatIsAsFarAway) {
     const core::ImageF depth = makeRoom();
     const core::BinaryMask box = core::selectByDepth(depth, {40, 30}, {.tolerance = 0.01f});
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kRoomHeight; ++y)
+        for (int x = 0; x < kRoomWidth; ++x) {
             const bool inside = y >= 25 && y < 45 && x >= 30 && x < 50;
             if (inside) {
                 EXPECT_EQ(box(x, y), 1) << x << ", " << y;
@@ -45,10 +45,11 @@ TEST(SelectByDepth, ARangeIsWhatIsAsFarAway) {
 }
 
 TEST(SelectByDepth, OnlyThePieceOfTheSeedUnlessAllIsWanted) {
-    core::ImageF depth(kWidth, kHeight, 2.0f);
-    for (int y = 0; y < kHeight; ++y) depth(40, y) = 3.0f;
-    EXPECT_EQ(count(core::selectByDepth(depth, {3, 3}, {})), std::size_t{40} * kHeight);
-    EXPECT_EQ(count(core::selectByDepth(depth, {3, 3}, {.connected = false})), std::size_t{kWidth - 1} * kHeight);
+    core::ImageF depth(kRoomWidth, kRoomHeight, 2.0f);
+    for (int y = 0; y < kRoomHeight; ++y) depth(40, y) = 3.0f;
+    EXPECT_EQ(count(core::selectByDepth(depth, {3, 3}, {})), std::size_t{40} * kRoomHeight);
+    EXPECT_EQ(count(core::selectByDepth(depth, {3, 3}, {.connected = false})),
+              std::size_t{kRoomWidth - 1} * kRoomHeight);
 }
 
 TEST(SelectByDepth, APlaneIsFoundHoweverItIsTilted) {
@@ -56,8 +57,8 @@ TEST(SelectByDepth, APlaneIsFoundHoweverItIsTilted) {
     const core::BinaryMask floor =
         core::selectByDepth(depth, {10, 55}, {.shape = core::DepthShape::Plane, .tolerance = 0.005f});
     std::size_t expected = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kRoomHeight; ++y)
+        for (int x = 0; x < kRoomWidth; ++x) {
             const bool box = y >= 25 && y < 45 && x >= 30 && x < 50;
             // Where the plane meets the wall, both are right.
             if (y >= 21 && !box) {
@@ -77,10 +78,10 @@ TEST(SelectByDepth, StatesItsResultForEveryInput) {
     depth(5, 5) = 0;
     EXPECT_EQ(count(core::selectByDepth(depth, {5, 5}, {})), 0u) << "no depth at the seed";
     EXPECT_EQ(count(core::selectByDepth(depth, {5, 5}, {.shape = core::DepthShape::Plane})), 0u);
-    for (const core::Pixel outside : {core::Pixel{-1, 0}, core::Pixel{kWidth, 0}, core::Pixel{0, kHeight}})
+    for (const core::Pixel outside : {core::Pixel{-1, 0}, core::Pixel{kRoomWidth, 0}, core::Pixel{0, kRoomHeight}})
         EXPECT_THROW(static_cast<void>(core::selectByDepth(depth, outside, {})), core::Error);
     // One pixel with depth has no plane.
-    core::ImageF lonely(kWidth, kHeight);
+    core::ImageF lonely(kRoomWidth, kRoomHeight);
     lonely(7, 7) = 1;
     EXPECT_EQ(count(core::selectByDepth(lonely, {7, 7}, {.shape = core::DepthShape::Plane})), 0u);
     EXPECT_EQ(count(core::selectByDepth(lonely, {7, 7}, {})), 1u);
@@ -91,9 +92,8 @@ TEST(SelectByDepth, StatesItsResultForEveryInput) {
 
 TEST(SelectByDepth, CanBeCancelled) {
     const std::atomic<bool> cancel = true;
-    EXPECT_THROW(
-        static_cast<void>(core::selectByDepth(makeRoom(), {40, 30}, {}, core::Progress(nullptr, &cancel))),
-        core::Error);
+    EXPECT_THROW(static_cast<void>(core::selectByDepth(makeRoom(), {40, 30}, {}, core::Progress(nullptr, &cancel))),
+                 core::Error);
 }
 
 }  // namespace

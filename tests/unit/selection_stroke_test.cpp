@@ -30,8 +30,8 @@ Picture makeHalves(int width, int height) {
 }
 
 core::SelectionStroke begin(const Picture& picture, const core::SelectionBrush& brush, std::uint8_t before = 0) {
-    return {core::BinaryMask(picture.color.width(), picture.color.height(), before), brush, picture.color, picture.depth,
-            kFocal};
+    return {core::BinaryMask(picture.color.width(), picture.color.height(), before), brush, picture.color,
+            picture.depth, kFocal};
 }
 
 /// Distance of a pixel's centre from the segment between two points.
@@ -69,7 +69,8 @@ TEST(SelectionStroke, ErasesAndStaysInThePicture) {
     EXPECT_FALSE(stroke.moveTo(0, 0).empty());
     EXPECT_EQ(stroke.mask()(0, 0), 0);
     EXPECT_EQ(stroke.mask()(20, 20), 1);
-    for (const float far : {-1e9f, 1e30f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
+    for (const float far :
+         {-1e9f, 1e30f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
         EXPECT_TRUE(stroke.moveTo(far, far).empty()) << far;
     EXPECT_FALSE(stroke.moveTo(39, 29).empty()) << "it goes on afterwards";
     EXPECT_EQ(stroke.mask()(39, 29), 0);

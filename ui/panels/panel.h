@@ -27,6 +27,8 @@ class Panel : public QWidget {
     /// A sentence for the status bar ("" clears it) and one for an error dialog.
     void message(const QString& text);
     void error(const QString& sentence);
+    /// What the panel's last change has to say, for the list of notices; empty takes the former ones back.
+    void notices(const QStringList& sentences);
 
   protected:
     [[nodiscard]] Workspace& workspace() const { return workspace_; }

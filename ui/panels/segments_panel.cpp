@@ -1,141 +1,192 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/segments_panel.h"
 
-#include <QHeaderView>
 #include <QLabel>
-#include <QTreeWidget>
+#include <QMenu>
+#include <QScopedValueRollback>
+#include <QScrollBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <ranges>
 
-#include "ui/canvas/display.h"
+#include "core/analysis/notes.h"
+#include "ui/panels/segment_actions.h"
+#include "ui/panels/segment_model.h"
+#include "ui/panels/segment_view.h"
+#include "ui/words.h"
 
 namespace ui {
 
-namespace {
-
-enum Column { kName, kGlossy, kEdited, kColumnCount };
-constexpr int kLabelRole = Qt::UserRole;
-
-QPixmap swatch(std::uint16_t label) {
-    const core::Vector3f c = segmentColor(label);
-    QPixmap pixmap(14, 14);
-    pixmap.fill(QColor::fromRgbF(c.x(), c.y(), c.z()));
-    return pixmap;
-}
-
-}  // namespace
-
 SegmentsPanel::SegmentsPanel(Workspace& workspace, QWidget* parent) : Panel(workspace, parent) {
-    list_ = new QTreeWidget(this);
+    model_ = new SegmentModel(this);
+    list_ = new SegmentView(*model_, this);
     list_->setObjectName(QStringLiteral("segmentList"));
     list_->setAccessibleName(tr("Segments"));
-    list_->setColumnCount(kColumnCount);
-    list_->setHeaderLabels({tr("Segment"), tr("Glossy"), tr("Edited")});
-    list_->headerItem()->setToolTip(kGlossy,
-                                    tr("Glossy segments show reflections, from which the light is recovered."));
-    list_->setRootIsDecorated(false);
-    list_->setUniformRowHeights(true);
-    list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-    list_->header()->setStretchLastSection(false);
-    list_->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
-    list_->header()->setSectionResizeMode(kGlossy, QHeaderView::ResizeToContents);
-    list_->header()->setSectionResizeMode(kEdited, QHeaderView::ResizeToContents);
-    list_->setToolTip(tr("Click to select a segment, double-click to rename it, check the box to flag it as glossy."));
-    hint_ = new QLabel(tr("No segments: open a project, or a photograph with a label map."), this);
+    list_->setContextMenuPolicy(Qt::CustomContextMenu);
+    list_->setMinimumHeight(120);
+    actions_ = new SegmentActions(workspace, this);
+    hint_ = new QLabel(this);
     hint_->setObjectName(QStringLiteral("segmentHint"));
     hint_->setWordWrap(true);
+    hint_->setTextFormat(Qt::PlainText);
+    hint_->setContentsMargins(0, 2, 0, 2);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
+    layout->setSpacing(4);
     layout->addWidget(list_, 1);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(0);
+    makeButtons(*buttons);
+    layout->addLayout(buttons);
     layout->addWidget(hint_);
 
-    connect(list_, &QTreeWidget::itemChanged, this, &SegmentsPanel::applyChange);
-    connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
-        if (refreshing_) return;
-        this->workspace().select(item != nullptr ? static_cast<std::uint16_t>(item->data(kName, kLabelRole).toUInt())
-                                                 : std::uint16_t{0});
-    });
+    connectList();
+    connectActions();
     connect(&workspace, &Workspace::sceneChanged, this, &SegmentsPanel::refresh);
     connect(&workspace, &Workspace::selectionChanged, this, &SegmentsPanel::showSelection);
+    connect(&workspace, &Workspace::analysisChanged, this, &SegmentsPanel::refreshHint);
     refresh();
 }
 
-void SegmentsPanel::refresh() {
-    const auto& segments = workspace().scene().segments;
-    refreshing_ = true;
-    const bool sameRows =
-        std::ranges::equal(segments, std::views::iota(0, list_->topLevelItemCount()), {}, &core::Segment::label,
-                           [this](int row) { return list_->topLevelItem(row)->data(kName, kLabelRole).toUInt(); });
-    if (!sameRows) {
-        list_->clear();
-        for (const core::Segment& segment : segments) {
-            auto* item = new QTreeWidgetItem(list_);
-            item->setData(kName, kLabelRole, segment.label);
-            item->setIcon(kName, swatch(segment.label));
-            item->setFlags(item->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
-            item->setTextAlignment(kEdited, Qt::AlignCenter);
-        }
+void SegmentsPanel::makeButtons(QBoxLayout& layout) {
+    for (QAction* action : actions_->all()) {
+        if (action == nullptr) continue;
+        auto* button = new QToolButton(this);
+        button->setObjectName(action->objectName() + QStringLiteral("Button"));
+        button->setDefaultAction(action);
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+        button->setAutoRaise(true);
+        layout.addWidget(button);
     }
-    for (int row = 0; row < list_->topLevelItemCount(); ++row) {
-        const core::Segment& segment = segments[static_cast<std::size_t>(row)];
-        QTreeWidgetItem* item = list_->topLevelItem(row);
-        item->setText(kName, QString::fromStdString(segment.name));
-        item->setToolTip(kName,
-                         tr("Segment %1, label %2").arg(QString::fromStdString(segment.name)).arg(segment.label));
-        item->setCheckState(kGlossy, segment.glossy ? Qt::Checked : Qt::Unchecked);
-        item->setToolTip(kGlossy, tr("Treat the segment's colours as reflections"));
-        item->setText(kEdited, segment.edit ? QStringLiteral("●") : QString());
-        item->setToolTip(kEdited, segment.edit ? tr("Has a new material") : tr("Unchanged"));
-    }
-    hint_->setVisible(segments.empty());
-    refreshing_ = false;
-    showSelection(workspace().selectedLabel());
+    layout.addStretch(1);
 }
 
-QTreeWidgetItem* SegmentsPanel::itemOf(std::uint16_t label) const {
-    for (int row = 0; row < list_->topLevelItemCount(); ++row) {
-        QTreeWidgetItem* item = list_->topLevelItem(row);
-        if (item->data(kName, kLabelRole).toUInt() == label) return item;
+void SegmentsPanel::connectList() {
+    connect(model_, &SegmentModel::renamed, actions_, &SegmentActions::rename);
+    connect(model_, &SegmentModel::switched, this, [this](quint16 label, int column, bool on) {
+        const std::vector<std::uint16_t> one{label};
+        if (column == SegmentModel::kGlossy) actions_->setGlossy(one, on);
+        if (column == SegmentModel::kVisible) actions_->setVisible(one, on);
+        if (column == SegmentModel::kLocked) actions_->setLocked(one, on);
+    });
+    connect(model_, &SegmentModel::segmentsDropped, this,
+            [this](const std::vector<std::uint16_t>& dragged, quint16 target) {
+                std::vector<std::uint16_t> labels{target};
+                labels.insert(labels.end(), dragged.begin(), dragged.end());
+                actions_->merge(labels);
+            });
+    connect(model_, &SegmentModel::filesDropped, actions_, &SegmentActions::importFiles);
+    connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &SegmentsPanel::rowsChanged);
+    // Otherwise a change of the selection follows.
+    connect(list_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& current) {
+        if (list_->selectionModel()->isSelected(current)) rowsChanged();
+    });
+    connect(list_, &QWidget::customContextMenuRequested, this, &SegmentsPanel::showMenu);
+    connect(list_, &SegmentView::glossyWanted, actions_, &SegmentActions::toggleGlossy);
+}
+
+void SegmentsPanel::connectActions() {
+    connect(actions_, &SegmentActions::message, this, &Panel::message);
+    connect(actions_, &SegmentActions::error, this, &Panel::error);
+    connect(actions_, &SegmentActions::notices, this, &Panel::notices);
+    connect(actions_, &SegmentActions::renameWanted, this,
+            [this](quint16 label) { list_->edit(model_->indexOf(label)); });
+    connect(actions_, &SegmentActions::chooseWanted, this, [this](const std::vector<std::uint16_t>& labels) {
+        choose(labels);
+        rowsChanged();
+    });
+}
+
+void SegmentsPanel::rowsChanged() {
+    if (refreshing_) return;
+    const std::vector<std::uint16_t> chosen = list_->chosen();
+    const std::uint16_t current = model_->labelAt(list_->currentIndex().row());
+    actions_->setChosen(chosen);
+    const QScopedValueRollback fromList(choosing_, true);
+    if (std::ranges::find(chosen, current) != chosen.end())
+        workspace().select(current);
+    else
+        workspace().select(chosen.empty() ? std::uint16_t{0} : chosen.front());
+}
+
+void SegmentsPanel::choose(const std::vector<std::uint16_t>& labels) {
+    const QScopedValueRollback quiet(refreshing_, true);
+    list_->choose(labels);
+}
+
+void SegmentsPanel::refresh() {
+    const std::uint16_t selected = workspace().selectedLabel();
+    std::vector<std::uint16_t> chosen = list_->chosen();
+    const int scrolled = list_->verticalScrollBar()->value();
+    {
+        const QScopedValueRollback quiet(refreshing_, true);
+        model_->setScene(workspace().scene());
     }
-    return nullptr;
+    const auto place = std::ranges::find(chosen, selected);
+    if (place == chosen.end())
+        chosen = {selected};
+    else
+        std::rotate(chosen.begin(), place, place + 1);
+    // Segments that came or went take the selection of rows with them.
+    if (list_->selectionModel()->selection().isEmpty() || !list_->isChosen(selected)) {
+        choose(chosen);
+        list_->verticalScrollBar()->setValue(scrolled);
+    }
+    actions_->setChosen(list_->chosen());
+    refreshHint();
 }
 
 void SegmentsPanel::showSelection(quint16 label) {
-    refreshing_ = true;
-    QTreeWidgetItem* item = itemOf(label);
-    list_->setCurrentItem(item);
-    if (item == nullptr) list_->clearSelection();
-    refreshing_ = false;
+    if (choosing_) return;
+    if (list_->chosen() != std::vector<std::uint16_t>(label != 0 ? 1 : 0, label)) choose({label});
+    actions_->setChosen(list_->chosen());
 }
 
-void SegmentsPanel::applyChange(QTreeWidgetItem* item, int column) {
-    if (refreshing_) return;
-    const auto label = static_cast<std::uint16_t>(item->data(kName, kLabelRole).toUInt());
-    const core::Segment* segment = workspace().scene().findSegment(label);
-    if (segment == nullptr) return;
-    if (column == kGlossy) {
-        const bool glossy = item->checkState(kGlossy) == Qt::Checked;
-        if (glossy == segment->glossy) return;
-        workspace().editScene(glossy ? tr("Flag %1 as glossy").arg(QString::fromStdString(segment->name))
-                                     : tr("Flag %1 as not glossy").arg(QString::fromStdString(segment->name)),
-                              [&](core::Scene& scene) { scene.findSegment(label)->glossy = glossy; });
-    } else if (column == kName) {
-        const std::string name = item->text(kName).trimmed().toStdString();
-        if (name == segment->name) return;
-        const auto& all = workspace().scene().segments;
-        const bool taken = std::ranges::any_of(
-            all, [&](const core::Segment& other) { return other.label != label && other.name == name; });
-        if (name.empty() || taken) {
-            emit message(name.empty()
-                             ? tr("A segment needs a name.")
-                             : tr("There is already a segment named \"%1\".").arg(QString::fromStdString(name)));
-            refresh();
-            return;
-        }
-        workspace().editScene(tr("Rename segment"), [&](core::Scene& scene) { scene.findSegment(label)->name = name; });
-    }
+void SegmentsPanel::showMenu(const QPoint& place) {
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("segmentMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
+    for (QAction* action : actions_->all())
+        if (action != nullptr)
+            menu->addAction(action);
+        else
+            menu->addSeparator();
+    // The window's, which has it in its File menu too.
+    if (auto* segmentation = window()->findChild<QAction*>(QStringLiteral("actionExportSegmentation")))
+        menu->addAction(segmentation);
+    menu->popup(list_->viewport()->mapToGlobal(place));
+}
+
+void SegmentsPanel::refreshHint() {
+    const QString text = hint();
+    hint_->setText(text);
+    hint_->setVisible(!text.isEmpty());
+}
+
+QString SegmentsPanel::hint() {
+    const core::Scene& scene = workspace().scene();
+    if (!workspace().hasPhoto()) return tr("Open a photograph: File > Open, or drop it on the window.");
+    if (scene.segments.empty()) return tr("Click an object in the picture with Smart select, then press Enter.");
+    if (std::ranges::none_of(scene.segments, &core::Segment::glossy))
+        return tr("Tick Glossy for an object with reflections: the light is recovered from them.");
+    return glossyHint();
+}
+
+QString SegmentsPanel::glossyHint() {
+    const core::Scene& scene = workspace().scene();
+    const std::shared_ptr<const core::Analysis>& analysis = workspace().analysis();
+    std::vector<std::pair<std::string, bool>> glossy;
+    for (const core::Segment& segment : scene.segments)
+        if (segment.glossy) glossy.emplace_back(segment.name, segment.reflectance.has_value());
+    if (known_.analysis.lock() == analysis && known_.photo.lock() == scene.photo && known_.glossy == glossy)
+        return known_.hint;
+    known_ = {analysis, scene.photo, std::move(glossy), {}};
+    if (analysis == nullptr) return {};
+    const core::Notes notes = core::glossyNotes(scene, *analysis);
+    if (!notes.empty()) known_.hint = translated(notes.front());
+    return known_.hint;
 }
 
 }  // namespace ui

@@ -148,7 +148,9 @@ void SelectionSession::makeSegment() {
     while (taken()) ++number;
     changeScene(
         tr("New segment"),
-        [&](const core::Scene& scene, core::Notes* notes) { return core::withSegment(scene, selected(), name(), notes); },
+        [&](const core::Scene& scene, core::Notes* notes) {
+            return core::withSegment(scene, selected(), name(), notes);
+        },
         name());
 }
 
@@ -175,14 +177,15 @@ void SelectionSession::findObjects() {
                    [this, objects] {
                        try {
                            core::Notes notes;
-                           core::Scene changed = core::withSegments(workspace_.scene(), *objects, &notes);
+                           core::Scene changed =
+                               core::withSegments(workspace_.scene(), *objects, &notes, tr("object").toStdString());
                            const std::size_t found = changed.segments.size() - workspace_.scene().segments.size();
                            if (found > 0)
                                workspace_.editScene(tr("Find objects"), [&](core::Scene& scene) { scene = changed; });
-                           notes.empty() ? emit message(tr("%n object(s) found.", "", static_cast<int>(found)))
+                           notes.empty() ? emit message(tr("Objects found: %1").arg(found))
                                          : emit message(translatedEach(notes).join(QLatin1Char(' ')));
                        } catch (const core::Error& problem) {
-                           emit error(translated(problem));
+                           emit message(translated(problem));
                        }
                    });
 }

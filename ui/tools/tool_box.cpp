@@ -11,7 +11,6 @@
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QStackedWidget>
 #include <QToolBar>
 #include <QToolButton>
 #include <algorithm>
@@ -28,6 +27,16 @@ constexpr std::size_t kNavigate = 0;
 constexpr std::size_t kSmartSelect = 1;
 constexpr float kBrushStep = 1.2f;
 constexpr int kMaxWidth = 200;
+
+/// A sentence that takes the room there is.
+class HintLabel : public QLabel {
+  public:
+    explicit HintLabel(QWidget* parent) : QLabel(parent) {
+        setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    }
+    [[nodiscard]] QSize sizeHint() const override { return minimumSizeHint(); }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
+};
 
 }  // namespace
 
@@ -206,18 +215,14 @@ void ToolBox::addBars(QMainWindow& window) {
     auto* optionBar = new QToolBar(tr("Tool options"), &window);
     optionBar->setObjectName(QStringLiteral("toolOptions"));
     optionBar->setMovable(false);
-    options_ = new QStackedWidget(optionBar);
-    options_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     for (Tool* each : tools_) {
-        QWidget* row = each->makeOptions(options_);
-        options_->addWidget(row != nullptr ? row : new QWidget(options_));
+        QWidget* row = each->makeOptions(optionBar);
+        options_.push_back(row != nullptr ? optionBar->addWidget(row) : nullptr);
     }
-    optionBar->addWidget(options_);
     addUses(*optionBar);
-    hint_ = new QLabel(optionBar);
+    hint_ = new HintLabel(optionBar);
     hint_->setObjectName(QStringLiteral("toolHint"));
     hint_->setContentsMargins(8, 0, 8, 0);
-    hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     optionBar->addWidget(hint_);
     auto* width = new QSpinBox(optionBar);
     width->setObjectName(QStringLiteral("selectionWidth"));
@@ -256,7 +261,8 @@ void ToolBox::activate(std::size_t index) {
     // The pointer cannot paint a mask and select at once.
     workspace_.setPaintedParameter({});
     buttons_->actions().at(static_cast<qsizetype>(index))->setChecked(true);
-    if (options_ != nullptr) options_->setCurrentIndex(static_cast<int>(index));
+    for (std::size_t i = 0; i < options_.size(); ++i)
+        if (options_[i] != nullptr) options_[i]->setVisible(i == index);
     refresh();
     refreshPointer();
 }

@@ -24,13 +24,6 @@ ImageF validDepth(const ImageF& stored) {
     ImageF depth = stored;
     for (float& z : depth.pixels())
         if (!(z > 0) || !std::isfinite(z)) z = 0;
-    if (std::ranges::none_of(depth.pixels(), [](float z) { return z > 0; }))
-        throw Error(ErrorKind::Input,
-                    Message("messages",
-                            "The depth map has no valid pixel: all of its %1 values are zero or not finite, but at "
-                            "least one positive depth is needed. Load a depth map that belongs to the photograph, or "
-                            "check its unit and kind.")
-                        .with(depth.size()));
     return depth;
 }
 
@@ -100,6 +93,11 @@ RecoveredDepth recoverDepth(const Scene& scene, const StepContext& context) {
     RecoveredDepth result;
     ImageF& depth = result.depth;
     depth = validDepth(photo.depth);
+    if (std::ranges::none_of(depth.pixels(), [](float z) { return z > 0; })) {
+        // A photograph without depth: all of it is distant.
+        result.distant = findDistantPixels(depth);
+        return result;
+    }
     const float measuringShare = expectedMeasuringShare(photo, depth);
     const DepthNoise noise = estimateDepthNoise(inverseOf(depth), photo.labels, photo.depthSampleSpacing,
                                                 context.progress.part(0, measuringShare));

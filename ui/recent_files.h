@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QImage>
+#include <QString>
+#include <QStringList>
+#include <optional>
+
+#include "core/base/image.h"
+#include "core/io/project.h"
+
+namespace ui {
+
+/// Projects and photographs that were opened lately, the last one first, in the user's settings. For each a small
+/// picture is kept in the user's cache.
+class RecentFiles {
+  public:
+    static constexpr int kMaxCount = 12;
+
+    /// Absolute paths.
+    [[nodiscard]] static QStringList files();
+    /// Puts a project first.
+    static void add(const QString& path);
+    /// Puts a photograph first, and remembers with what it was opened.
+    static void addPhoto(const core::CreateOptions& options);
+    /// Forgets a file and its picture; the file itself stays.
+    static void remove(const QString& path);
+    /// With what a photograph was opened; nullopt = `path` is a project.
+    [[nodiscard]] static std::optional<core::CreateOptions> photo(const QString& path);
+
+    /// The picture of a file; null = there is none.
+    [[nodiscard]] static QImage thumbnail(const QString& path);
+    /// Keeps the picture of a file. From any thread. A cache that cannot be written is no error.
+    static void setThumbnail(const QString& path, const QImage& image);
+};
+
+/// A photograph, scene-linear, as a picture of at most kThumbnailSide pixels.
+[[nodiscard]] QImage makeThumbnail(const core::ImageRgb& color);
+inline constexpr int kThumbnailSide = 320;
+
+}  // namespace ui
