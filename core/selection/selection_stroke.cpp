@@ -33,15 +33,19 @@ SelectionStroke::SelectionStroke(BinaryMask before, const SelectionBrush& brush,
 
 PixelBox SelectionStroke::moveTo(float x, float y) {
     const Vector2f target(x, y);
+    // A pointer so far away, or nowhere, has not been everywhere in between.
+    const float far = 4 * static_cast<float>(mask_.width() + mask_.height()) + brush_.radius;
+    if (!(target.cwiseAbs().maxCoeff() < far)) {
+        last_.reset();
+        return {};
+    }
     PixelBox changed;
     if (!last_) {
         changed = dab(target);
     } else {
         const Vector2f way = target - *last_;
-        // A pointer that left the screen has not been everywhere in between.
-        const float span = 2 * static_cast<float>(mask_.width() + mask_.height()) + brush_.radius;
-        const float length = std::min(way.norm(), span);
-        const int steps = std::max(1, static_cast<int>(std::ceil(length / std::max(1.0f, kSpacing * brush_.radius))));
+        const float spacing = std::max(1.0f, kSpacing * brush_.radius);
+        const int steps = std::max(1, static_cast<int>(std::ceil(way.norm() / spacing)));
         for (int i = 1; i <= steps; ++i)
             changed.unite(dab(*last_ + way * (static_cast<float>(i) / static_cast<float>(steps))));
     }
@@ -73,8 +77,6 @@ bool SelectionStroke::onSurface(int x, int y, float distance, float centerDepth)
 }
 
 PixelBox SelectionStroke::dab(Vector2f center) {
-    const float far = 4 * static_cast<float>(mask_.width() + mask_.height()) + brush_.radius;
-    if (!(center.cwiseAbs().maxCoeff() < far)) return {};
     const float r = brush_.radius;
     PixelBox box{std::max(0, static_cast<int>(std::floor(center.x() - r))),
                  std::max(0, static_cast<int>(std::floor(center.y() - r))),
