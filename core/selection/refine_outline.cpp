@@ -24,7 +24,7 @@ constexpr int kTileSamples = 4;
 /// Colour difference (OKLab) at which two colours no longer resemble each other.
 constexpr float kResemblance = 0.03f;
 /// Density that is added to both sides, so that unseen colours tell nothing.
-constexpr float kLeastDensity = 0.02f;
+constexpr float kLeastResemblance = 0.02f;
 /// Cost per unit of the log-likelihood ratio of a pixel's colour.
 constexpr float kColorCost = 60;
 
@@ -125,14 +125,15 @@ float boundaryCost(const Vector3f& a, const Vector3f& b, float scale) {
     return kBoundaryCost * (kLeastCost + std::exp(-(a - b).squaredNorm() * scale));
 }
 
-/// 1 / (2 · mean square contrast) of neighbours in the band.
+/// 1 / (2 · squared mean contrast) of neighbours in the band. The mean of the squares would be that of a few strong
+/// edges, beside which others vanish.
 float contrastScale(const Band& band, const Image<PackedLab>& lab) {
     double sum = 0;
     for (const Pixel& p : band.pixels)
         if (p.x + 1 < lab.width())
-            sum += static_cast<double>((unpackLab(lab(p.x, p.y)) - unpackLab(lab(p.x + 1, p.y))).squaredNorm());
+            sum += static_cast<double>((unpackLab(lab(p.x, p.y)) - unpackLab(lab(p.x + 1, p.y))).norm());
     const double mean = sum / static_cast<double>(band.pixels.size());
-    return static_cast<float>(1 / (2 * mean + 2 * static_cast<double>(kNoise * kNoise)));
+    return static_cast<float>(1 / (2 * mean * mean + 2 * static_cast<double>(kNoise * kNoise)));
 }
 
 /// Colours beside the band, on both sides of the outline, by tiles.
@@ -156,7 +157,7 @@ class SideColors {
     [[nodiscard]] float ratio(const Pixel& p, const Vector3f& color) const {
         const float inside = density(1, p, color), outside = density(0, p, color);
         if (inside < 0 || outside < 0) return 0;
-        return std::log((inside + kLeastDensity) / (outside + kLeastDensity));
+        return std::log((inside + kLeastResemblance) / (outside + kLeastResemblance));
     }
 
   private:
