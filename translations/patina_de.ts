@@ -1210,10 +1210,6 @@
         <translation>Der Punkt %1, %2 wird zugleich hinzugefügt und entfernt.</translation>
     </message>
     <message>
-        <source>The depth map has no valid pixel: all of its %1 values are zero or not finite, but at least one positive depth is needed. Load a depth map that belongs to the photograph, or check its unit and kind.</source>
-        <translation>Die Tiefenkarte hat kein gültiges Pixel: Alle %1 Werte sind null oder nicht endlich, aber mindestens eine positive Tiefe wird gebraucht. Laden Sie eine Tiefenkarte, die zum Foto gehört, oder prüfen Sie ihre Einheit und Art.</translation>
-    </message>
-    <message>
         <source>This needs %1 new segments, but only %2 labels are free.</source>
         <translation>Dafür sind %1 neue Segmente nötig, aber nur %2 Nummern sind frei.</translation>
     </message>
@@ -1973,20 +1969,12 @@
         <translation>Größe</translation>
     </message>
     <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
         <source>Radius of the brush in pixels of the picture</source>
         <translation>Radius des Pinsels in Bildpunkten</translation>
     </message>
     <message>
         <source>Hardness</source>
         <translation>Härte</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
     </message>
     <message>
         <source>Part of the brush that paints everything; the rim around it paints only what looks like the part inside</source>
@@ -2011,6 +1999,14 @@
     <message>
         <source>Refine edge</source>
         <translation>Kante verfeinern</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
     </message>
 </context>
 <context>
@@ -2077,20 +2073,12 @@
         <translation>Toleranz</translation>
     </message>
     <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
         <source>How far depth may be off, in parts of the distance</source>
         <translation>Wie weit die Tiefe abweichen darf, als Teil der Entfernung</translation>
     </message>
     <message>
         <source>Softness</source>
         <translation>Weichheit</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
     </message>
     <message>
         <source>Round the outline off over this many pixels, and drop specks</source>
@@ -2115,6 +2103,14 @@
     <message>
         <source>Select by depth</source>
         <translation>Nach Tiefe auswählen</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
     </message>
 </context>
 <context>

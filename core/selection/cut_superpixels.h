@@ -10,9 +10,8 @@ namespace core {
 
 /// What is known of each superpixel before the cut.
 struct SuperpixelPrior {
-    std::vector<std::uint8_t> object;     ///< first guess
-    std::vector<std::uint8_t> fixed;      ///< keeps its guess: the user pointed at it
-    std::vector<std::uint8_t> corrected;  ///< belongs to a region that a further seed chose
+    std::vector<std::uint8_t> object;  ///< first guess
+    std::vector<std::uint8_t> fixed;   ///< keeps its guess: the user pointed at it
 };
 
 /// The first guess improved by a minimal cut between superpixels: along strong boundaries, with what looks like the

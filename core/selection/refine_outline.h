@@ -10,9 +10,10 @@
 namespace core {
 
 /// A selection enlarged to the size of `lab`, with its outline moved to where the colour changes: the cheapest closed
-/// line within `radius` pixels of `mask`, each of which covers `factor`² pixels of `lab`. Parts of the selection and
-/// gaps in it that are narrower than this band, and the pixels `fixed` of `lab`, stay. Throws Error(Cancelled).
+/// line within `radius` pixels of `mask`, each of which covers `factor`² pixels of `lab`, between colours that resemble
+/// what is beside it on both sides. Parts of the selection and gaps in it that are narrower than this band, and the
+/// pixels `fixed` of `mask` (none where empty), stay. Throws Error(Cancelled).
 [[nodiscard]] BinaryMask refineOutline(const BinaryMask& mask, const Image<PackedLab>& lab, int factor, int radius,
-                                       const std::vector<Pixel>& fixed, const Progress& progress);
+                                       const BinaryMask& fixed, const Progress& progress);
 
 }  // namespace core

@@ -10,7 +10,8 @@
 #include "core/base/error.h"
 #include "core/selection/choose_region.h"
 #include "core/selection/cut_superpixels.h"
-#include "core/selection/mask_operations.h"
+#include "core/selection/enclosed_parts.h"
+#include "core/selection/guess_object.h"
 #include "core/selection/refine_outline.h"
 #include "core/selection/selector_state.h"
 
@@ -22,9 +23,6 @@ namespace {
 constexpr float kSuperpixels = 16000;
 constexpr float kMinCell = 3;
 constexpr float kMaxCell = 8;
-/// Largest area that a further seed adds or takes away, in parts of what the first ones selected.
-constexpr float kMaxAdded = 1.5f;
-constexpr float kMaxRemoved = 0.5f;
 /// How far the outline moves to meet the photograph's edges where depth does not fix it [working px].
 constexpr int kOutlineBand = 2;
 /// Weight of a colour difference (OKLab) against a distance [px] where a superpixel has seeds of both kinds.
@@ -50,44 +48,6 @@ void requireConsistent(const SelectionSeeds& seeds) {
             if (p.x == q.x && p.y == q.y)
                 throw Error(ErrorKind::Usage,
                             Message("messages", "The point %1, %2 is both added and removed.").with(p.x, p.y));
-}
-
-/// Seeds by the superpixels they lie on.
-struct SeedLeaves {
-    std::vector<std::uint32_t> add, remove;
-};
-
-SeedLeaves leavesOf(const Selector::State& state, const SelectionSeeds& seeds) {
-    const int factor = state.picture.factor;
-    SeedLeaves leaves;
-    for (const Pixel& p : seeds.add) leaves.add.push_back(state.superpixels.index(p.x / factor, p.y / factor));
-    for (const Pixel& p : seeds.remove) leaves.remove.push_back(state.superpixels.index(p.x / factor, p.y / factor));
-    return leaves;
-}
-
-/// The regions that the seeds choose one after the other.
-SuperpixelPrior guess(const RegionTree& tree, const SeedLeaves& leaves) {
-    const std::vector<std::uint8_t> barredAdd = markAncestors(tree, leaves.remove);
-    const std::vector<std::uint8_t> barredRemove = markAncestors(tree, leaves.add);
-    std::vector<std::uint32_t> object(tree.leafCount), corrected(tree.leafCount);
-    float area = 0;
-    for (const std::uint32_t leaf : leaves.add) {
-        const std::uint32_t region = chooseRegion(tree, leaf, barredAdd, area > 0 ? kMaxAdded * area : kNoLimit);
-        setLeaves(tree, region, 1, object);
-        if (area > 0) setLeaves(tree, region, 1, corrected);
-        area = std::max(area, tree.regions[region].area);
-    }
-    for (const std::uint32_t leaf : leaves.remove) {
-        const std::uint32_t region = chooseRegion(tree, leaf, barredRemove, kMaxRemoved * area);
-        setLeaves(tree, region, 0, object);
-        setLeaves(tree, region, 1, corrected);
-    }
-    SuperpixelPrior prior{std::vector<std::uint8_t>(object.begin(), object.end()),
-                          std::vector<std::uint8_t>(tree.leafCount),
-                          std::vector<std::uint8_t>(corrected.begin(), corrected.end())};
-    for (const std::uint32_t leaf : leaves.remove) prior.fixed[leaf] = 1, prior.object[leaf] = 0;
-    for (const std::uint32_t leaf : leaves.add) prior.fixed[leaf] = 1, prior.object[leaf] = 1;
-    return prior;
 }
 
 /// Leaves only what is linked with the added superpixels, over narrow gaps too.
@@ -143,17 +103,25 @@ int outlineBand(const DepthQuality& quality) {
     return quality.edgeOffset > 0 ? quality.edgeOffset + kOutlineBand : 0;
 }
 
-/// Working pixels that the outline may not cross: those of seeds, and of regions that further seeds chose. The user has
-/// looked at these.
-std::vector<Pixel> settledPixels(const Selector::State& state, const SelectionSeeds& seeds,
-                                 const SuperpixelPrior& prior) {
-    std::vector<Pixel> settled;
+/// Draws the discs into `mask` and returns the working pixels that the outline may not cross: those of seeds and discs,
+/// and of regions that further seeds chose. The user has looked at these.
+BinaryMask settle(const Selector::State& state, const SelectionSeeds& seeds, const ObjectGuess& guess,
+                  BinaryMask& mask) {
+    BinaryMask settled(mask.width(), mask.height());
+    for (std::size_t i = 0; i < settled.size(); ++i) settled[i] = guess.corrected[state.superpixels.index[i]];
     for (const auto* list : {&seeds.add, &seeds.remove})
-        for (const Pixel& p : *list) settled.push_back({p.x / state.picture.factor, p.y / state.picture.factor});
-    const Image<std::uint32_t>& index = state.superpixels.index;
-    for (int y = 0; y < index.height(); ++y)
-        for (int x = 0; x < index.width(); ++x)
-            if (prior.corrected[index(x, y)] != 0) settled.push_back({x, y});
+        for (const Pixel& p : *list) settled(p.x / state.picture.factor, p.y / state.picture.factor) = 1;
+    for (const CertainDisc& disc : guess.discs) {
+        const int reach = static_cast<int>(disc.radius);
+        for (int dy = -reach; dy <= reach; ++dy)
+            for (int dx = -reach; dx <= reach; ++dx) {
+                const int x = disc.at.x + dx, y = disc.at.y + dy;
+                if (!mask.contains(x, y) || std::hypot(static_cast<float>(dx), static_cast<float>(dy)) > disc.radius)
+                    continue;
+                mask(x, y) = disc.value;
+                settled(x, y) = 1;
+            }
+    }
     return settled;
 }
 
@@ -189,14 +157,17 @@ BinaryMask Selector::select(const SelectionSeeds& seeds, const Progress& progres
     requireConsistent(seeds);
     if (seeds.add.empty()) return BinaryMask(width(), height());
     const SeedLeaves leaves = leavesOf(*state_, seeds);
-    const SuperpixelPrior prior = guess(state_->tree, leaves);
-    std::vector<std::uint8_t> object = cutSuperpixels(*state_, prior, progress.part(0.1f, 0.4f));
+    const ObjectGuess guess = guessObject(*state_, seeds, leaves);
+    std::vector<std::uint8_t> object = cutSuperpixels(*state_, guess.prior, progress.part(0.1f, 0.4f));
     keepLinked(state_->superpixels, leaves.add, object);
     const SelectionPicture& picture = state_->picture;
     const int factor = picture.factor;
-    BinaryMask mask =
-        refineOutline(maskOf(state_->superpixels, object), state_->workingLab, 1, outlineBand(picture.quality),
-                      settledPixels(*state_, seeds, prior), progress.part(0.4f, 0.7f));
+    BinaryMask mask = maskOf(state_->superpixels, object);
+    const BinaryMask settled = settle(*state_, seeds, guess, mask);
+    mask = refineOutline(mask, state_->workingLab, 1, outlineBand(picture.quality), settled, progress.part(0.4f, 0.7f));
+    std::vector<Pixel> removed;
+    for (const Pixel& p : seeds.remove) removed.push_back({p.x / factor, p.y / factor});
+    takeEnclosed(picture, removed, mask);
     if (factor > 1) mask = refineOutline(mask, state_->lab, factor, 1, {}, progress.part(0.7f, 1.0f));
     divideContested(*state_, seeds, leaves, mask);
     for (const Pixel& p : seeds.add) mask(p.x, p.y) = 1;

@@ -287,9 +287,9 @@ TEST_F(ProjectTest, AMapForAnOpenPhotographHasItsShape) {
     camera.height = 4;
     const core::LabelImage labels = core::loadLabelMap(folder / "labels.pgm", camera);
     ASSERT_EQ(labels.width(), 8);
+    const std::array<int, 4> row{0, 1, 1, 2};
     for (int y = 0; y < 4; ++y)
-        for (int x = 0; x < 8; ++x)
-            EXPECT_EQ(labels(x, y), (std::array<int, 4>{0, 1, 1, 2}[static_cast<std::size_t>(x / 2)]));
+        for (int x = 0; x < 8; ++x) EXPECT_EQ(labels(x, y), row[static_cast<std::size_t>(x / 2)]);
     camera.height = 8;
     test::expectError(ErrorKind::Input, {"labels.pgm", "4x2", "8x8"},
                       [&] { (void)core::loadLabelMap(folder / "labels.pgm", camera); });

@@ -114,7 +114,28 @@ TEST(RefineOutline, KeepsNarrowPartsAndFixedPixels) {
     for (int y = 0; y < 60; ++y)
         for (int x = 0; x < 60; ++x) disc(x, y) = (x - 30) * (x - 30) + (y - 30) * (y - 30) < 400 ? 1 : 0;
     disc(50, 30) = 1;
-    EXPECT_EQ(core::refineOutline(disc, lab, 1, 4, {{50, 30}}, {})(50, 30), 1);
+    BinaryMask fixed(60, 60);
+    EXPECT_EQ(core::refineOutline(disc, lab, 1, 4, fixed, {})(50, 30), 0);
+    fixed(50, 30) = 1;
+    EXPECT_EQ(core::refineOutline(disc, lab, 1, 4, fixed, {})(50, 30), 1);
+}
+
+TEST(RefineOutline, ColoursDecideBetweenTwoEdges) {
+    // Around a yellow square, the floor is grey, with a black line 4 px away: its edges are stronger than the square's.
+    core::Image<core::PackedLab> lab(100, 100, core::packLab({0.75f, 0, 0}));
+    BinaryMask truth(100, 100), mask(100, 100);
+    const auto within = [](int x, int y, int from, int to) { return std::min(x, y) >= from && std::max(x, y) < to; };
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 100; ++x) {
+            if (within(x, y, 26, 74) && !within(x, y, 28, 72)) lab(x, y) = core::packLab({0.2f, 0, 0});
+            truth(x, y) = within(x, y, 32, 68) ? 1 : 0;
+            mask(x, y) = within(x, y, 30, 70) ? 1 : 0;
+            if (truth(x, y) != 0) lab(x, y) = core::packLab({0.7f, 0, 0.12f});
+        }
+    const BinaryMask found = core::refineOutline(mask, lab, 1, 6, {}, {});
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i) wrong += found[i] != truth[i] ? 1 : 0;
+    EXPECT_LE(wrong, 12) << "but for the corners";
 }
 
 }  // namespace

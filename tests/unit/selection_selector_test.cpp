@@ -169,6 +169,49 @@ TEST(Selector, FurtherClicksAddAndRemove) {
     EXPECT_GT(overlap(selector.select({{a}, {b}}), picture.object(1)), 0.95);
 }
 
+std::size_t pixelsOf(const BinaryMask& mask) {
+    return static_cast<std::size_t>(std::ranges::count(mask.pixels(), std::uint8_t{1}));
+}
+
+TEST(Selector, AClickBesideTheOutlineChangesOnlyDetails) {
+    const KnownPicture picture = discWithDepth({});
+    const Selector selector = picture.selector();
+    const BinaryMask before = selector.select({{{140, 110}}, {}});
+    // 4 px outside and inside of the outline, where the photograph shows nothing.
+    const BinaryMask more = selector.select({{{140, 110}, {204, 110}}, {}});
+    const BinaryMask less = selector.select({{{140, 110}}, {{196, 110}}});
+    for (const BinaryMask* after : {&more, &less}) {
+        std::size_t changed = 0;
+        for (std::size_t i = 0; i < before.size(); ++i) changed += (*after)[i] != before[i] ? 1 : 0;
+        EXPECT_GT(changed, 10);
+        EXPECT_LT(changed, 250);
+    }
+    for (int x = 202; x <= 206; ++x) EXPECT_EQ(more(x, 110), 1) << x;
+    for (int x = 194; x <= 198; ++x) EXPECT_EQ(less(x, 110), 0) << x;
+}
+
+TEST(Selector, TakesWhatAnObjectEncloses) {
+    // A highlight that the depth camera did not see, on an object whose depth lies beside it.
+    KnownPicture picture = discWithDepth(6);
+    for (int y = 100; y < 112; ++y)
+        for (int x = 150; x < 166; ++x) picture.color(x, y) = Vector3f(1, 1, 1), picture.depth(x, y) = 0;
+    const Selector selector = picture.selector();
+    const BinaryMask mask = selector.select({{{115, 120}}, {}});
+    EXPECT_EQ(mask(158, 106), 1);
+    const BinaryMask without = selector.select({{{115, 120}}, {{158, 106}}});
+    EXPECT_EQ(without(158, 106), 0);
+    EXPECT_EQ(without(154, 104), 0) << "the highlight goes as a whole";
+    EXPECT_GT(pixelsOf(without), pixelsOf(mask) * 9 / 10) << "and takes nothing else along";
+}
+
+TEST(Selector, ARealHoleStaysOne) {
+    // Through the hole the camera sees something farther.
+    KnownPicture picture = discWithDepth(0);
+    for (int y = 100; y < 112; ++y)
+        for (int x = 150; x < 166; ++x) picture.color(x, y) = Vector3f(0.3f, 0.32f, 0.35f), picture.depth(x, y) = 1.5f;
+    EXPECT_EQ(picture.selector().select({{{115, 120}}, {}})(158, 106), 0);
+}
+
 TEST(Selector, RefusesSeedsThatMakeNoSense) {
     const KnownPicture picture = discWithDepth({});
     const Selector selector = picture.selector();

@@ -60,7 +60,7 @@ QWidget* BrushTool::makeOptions(QWidget* parent) {
     layout->setContentsMargins(0, 0, 0, 0);
     auto* radius = new ParamSlider({.key = QStringLiteral("selectionBrushRadius"),
                                     .label = tr("Size"),
-                                    .unit = tr(" px"),
+                                    .unit = tr("px"),
                                     .toolTip = tr("Radius of the brush in pixels of the picture"),
                                     .minimum = 1,
                                     .maximum = static_cast<double>(kMaxBrushRadius),
@@ -82,7 +82,7 @@ QWidget* BrushTool::makeOptions(QWidget* parent) {
     auto* hardness =
         new ParamSlider({.key = QStringLiteral("selectionBrushHardness"),
                          .label = tr("Hardness"),
-                         .unit = tr(" %"),
+                         .unit = tr("%"),
                          .toolTip = tr("Part of the brush that paints everything; the rim around it paints "
                                        "only what looks like the part inside"),
                          .minimum = 0,

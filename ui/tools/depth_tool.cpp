@@ -34,7 +34,7 @@ QWidget* DepthTool::makeOptions(QWidget* parent) {
     layout->addWidget(shape);
     auto* tolerance = new ParamSlider({.key = QStringLiteral("depthTolerance"),
                                        .label = tr("Tolerance"),
-                                       .unit = tr(" %"),
+                                       .unit = tr("%"),
                                        .toolTip = tr("How far depth may be off, in parts of the distance"),
                                        .minimum = 0.1,
                                        .maximum = 50,
@@ -48,7 +48,7 @@ QWidget* DepthTool::makeOptions(QWidget* parent) {
     layout->addWidget(tolerance);
     auto* softness = new ParamSlider({.key = QStringLiteral("depthSoftness"),
                                       .label = tr("Softness"),
-                                      .unit = tr(" px"),
+                                      .unit = tr("px"),
                                       .toolTip = tr("Round the outline off over this many pixels, and drop specks"),
                                       .minimum = 0,
                                       .maximum = 20,

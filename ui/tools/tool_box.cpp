@@ -11,7 +11,6 @@
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QStackedWidget>
 #include <QToolBar>
 #include <QToolButton>
 #include <algorithm>
@@ -216,13 +215,10 @@ void ToolBox::addBars(QMainWindow& window) {
     auto* optionBar = new QToolBar(tr("Tool options"), &window);
     optionBar->setObjectName(QStringLiteral("toolOptions"));
     optionBar->setMovable(false);
-    options_ = new QStackedWidget(optionBar);
-    options_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     for (Tool* each : tools_) {
-        QWidget* row = each->makeOptions(options_);
-        options_->addWidget(row != nullptr ? row : new QWidget(options_));
+        QWidget* row = each->makeOptions(optionBar);
+        options_.push_back(row != nullptr ? optionBar->addWidget(row) : nullptr);
     }
-    optionBar->addWidget(options_);
     addUses(*optionBar);
     hint_ = new HintLabel(optionBar);
     hint_->setObjectName(QStringLiteral("toolHint"));
@@ -265,7 +261,8 @@ void ToolBox::activate(std::size_t index) {
     // The pointer cannot paint a mask and select at once.
     workspace_.setPaintedParameter({});
     buttons_->actions().at(static_cast<qsizetype>(index))->setChecked(true);
-    if (options_ != nullptr) options_->setCurrentIndex(static_cast<int>(index));
+    for (std::size_t i = 0; i < options_.size(); ++i)
+        if (options_[i] != nullptr) options_[i]->setVisible(i == index);
     refresh();
     refreshPointer();
 }

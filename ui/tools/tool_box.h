@@ -14,7 +14,6 @@ class QKeyEvent;
 class QLabel;
 class QMainWindow;
 class QMenu;
-class QStackedWidget;
 class QToolBar;
 
 namespace ui {
@@ -69,7 +68,7 @@ class ToolBox : public QObject {
     QAction* findObjects_ = nullptr;
     std::vector<QAction*> operations_;      ///< need a selection
     std::vector<QAction*> segmentChanges_;  ///< need a selection and a segment
-    QStackedWidget* options_ = nullptr;
+    std::vector<QAction*> options_;         ///< places of the tools' controls in the bar; nullptr = none
     QLabel* hint_ = nullptr;
     QPointF pointer_;  ///< latest position in the picture
     bool hovering_ = false;
