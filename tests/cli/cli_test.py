@@ -380,7 +380,7 @@ class WorkTest(CliTest):
         self.run_cli("segment", project, "--add", "20,12", "-o", self.path("mask.png"))
         self.run_cli("segment", project, "--propose", "-o", self.path("proposals.png"))
         plain = self.run_cli("render", project, "--samples", "1", "-o", self.path("plain.png"))
-        edit = '1={"brdf": "lambert", "diffuse": [0, 1, 0]}'
+        edit = '1={"brdf": "lambert", "albedo": [0, 1, 0]}'
         edited = self.run_cli("render", project, "--samples", "1", "--edit", edit, "-o", self.path("edited.png"))
         for each in (plain, edited):
             self.assertIn("has no pixel with depth, so it cannot be edited", each.stderr)

@@ -7,7 +7,6 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QDoubleSpinBox>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -21,6 +20,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <numbers>
 
 #include "core/io/image_io.h"
@@ -157,6 +157,13 @@ TEST(DepthViewTest, StrangePointsAreHarmless) {
     EXPECT_FALSE(view.grab().isNull());
 }
 
+/// Time that this thread has computed, whatever else the machine does [ms].
+double threadMilliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
+}
+
 TEST(DepthViewTest, TurnsAtThirtyFramesASecond) {
     constexpr int kWidth = 365;
     constexpr int kHeight = 273;
@@ -177,18 +184,15 @@ TEST(DepthViewTest, TurnsAtThirtyFramesASecond) {
     std::vector<double> milliseconds;
     for (int i = 0; i < kFrames; ++i) {
         view.setAngles(-1.2 + 2.4 * i / kFrames, 0.3);
-        QElapsedTimer timer;
-        timer.start();
+        const double start = threadMilliseconds();
         const QPixmap frame = view.grab();
-        milliseconds.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
+        milliseconds.push_back(threadMilliseconds() - start);
     }
     std::sort(milliseconds.begin(), milliseconds.end());
     const double middle = milliseconds[kFrames / 2];
-    std::printf("depth view, %zu points, %d x %d: %.1f ms per frame (slowest %.1f ms)\n", points->positions.size(),
-                size.width(), size.height(), middle, milliseconds.back());
-    double load = 1;
-    (void)getloadavg(&load, 1);
-    EXPECT_LT(middle, 33 * std::max(1.0, load));
+    std::printf("depth view, %zu points, %d x %d: %.1f ms of computing per frame (slowest %.1f ms)\n",
+                points->positions.size(), size.width(), size.height(), middle, milliseconds.back());
+    EXPECT_LT(middle, 33);
 }
 
 /// Opening in the whole window without a canvas.

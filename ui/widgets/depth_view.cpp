@@ -32,9 +32,9 @@ constexpr double kMaxZoom = 100;
 constexpr float kNearShare = 0.02f;
 /// Neighbours seen at an angle still touch.
 constexpr float kOverlap = 1.4f;
-constexpr int kMaxSplat = 12;  ///< [px]
+constexpr int kMaxSplat = 8;  ///< [px]
 /// A neighbour whose depth differs by more than this many point sizes belongs to something else.
-constexpr float kMaxSlope = 5;
+constexpr float kMaxSlope = 3;
 constexpr QRgb kBackground = qRgb(34, 34, 34);
 
 /// Mean colour of a cell of the photograph, from up to 3 x 3 of its pixels.
