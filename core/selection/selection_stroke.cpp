@@ -35,7 +35,7 @@ PixelBox SelectionStroke::moveTo(float x, float y) {
     const Vector2f target(x, y);
     // A pointer so far away, or nowhere, has not been everywhere in between.
     const float far = 4 * static_cast<float>(mask_.width() + mask_.height()) + brush_.radius;
-    if (!(target.cwiseAbs().maxCoeff() < far)) {
+    if (!(std::abs(x) < far && std::abs(y) < far)) {
         last_.reset();
         return {};
     }
