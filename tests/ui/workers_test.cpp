@@ -77,9 +77,7 @@ TEST(AnalysisWorker, UnusableSceneIsASentence) {
     ui::AnalysisWorker worker;
     QSignalSpy failed(&worker, &ui::AnalysisWorker::failed);
     core::Scene scene = test::makeScene();
-    auto blind = std::make_shared<core::Photo>(*scene.photo);
-    blind->depth = core::ImageF(32, 24, 0.0f);
-    scene.photo = blind;
+    scene.backDepth = std::make_shared<core::ImageF>(3, 3, 1.0f);
     worker.request(3, scene);
     ASSERT_TRUE(test::waitUntil([&] { return failed.size() == 1; }, 20000));
     EXPECT_EQ(failed[0][0].toULongLong(), 3u);
