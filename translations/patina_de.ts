@@ -4262,6 +4262,10 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
         <source>Open a photograph or a project to begin.</source>
         <translation>Öffnen Sie ein Foto oder ein Projekt, um zu beginnen.</translation>
     </message>
+    <message>
+        <source>Paint where the parameter is to vary; Shift erases. A tool on the left ends painting.</source>
+        <translation>Malen Sie, wo sich der Parameter ändern soll; Umschalt radiert. Ein Werkzeug links beendet das Malen.</translation>
+    </message>
 </context>
 <context>
     <name>ui::VectorEdit</name>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window.h"
 
+#include <QAbstractSpinBox>
 #include <QAction>
 #include <QActionGroup>
 #include <QCloseEvent>
@@ -11,6 +12,7 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -410,7 +412,12 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         workspace_.pickPixel(nullptr);
         return;
     }
-    if (focusWidget() == canvas_ && toolBox_->pressKey(*event)) return;
+    // Enter and Escape are the tools' also where a list or button has the focus, but not where something is typed.
+    const bool general =
+        event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_Escape;
+    const bool typing =
+        qobject_cast<QLineEdit*>(focusWidget()) != nullptr || qobject_cast<QAbstractSpinBox*>(focusWidget()) != nullptr;
+    if ((focusWidget() == canvas_ || (general && !typing)) && toolBox_->pressKey(*event)) return;
     QMainWindow::keyPressEvent(event);
 }
 

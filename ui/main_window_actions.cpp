@@ -79,8 +79,9 @@ void MainWindow::makeFileMenu() {
 
 void MainWindow::makeEditMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&Edit"));
-    undo_ = addAction(menu, "actionUndo", tr("&Undo"), QKeySequence::Undo, tr("Undo the last change"),
-                      [this] { workspace_.document().undo(); });
+    undo_ = addAction(menu, "actionUndo", tr("&Undo"), QKeySequence::Undo, tr("Undo the last change"), [this] {
+        if (!toolBox_->undo()) workspace_.document().undo();
+    });
     redo_ = addAction(menu, "actionRedo", tr("&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z),
                       tr("Redo the last undone change"), [this] { workspace_.document().redo(); });
     menu->addSeparator();

@@ -104,8 +104,8 @@ core::Scene enlargedTo(const core::Scene& scene, double megapixels) {
         for (int x = 0; x < camera.width; ++x) {
             const float u = (static_cast<float>(x) + 0.5f) / sx;
             const float v = (static_cast<float>(y) + 0.5f) / sy;
-            large->color(x, y) = enlargedPixel(photo.color, photo, u, v);
-            large->depth(x, y) = enlargedPixel(photo.depth, photo, u, v);
+            large->color(x, y) = enlargedPixel(photo.color.image(), photo, u, v);
+            large->depth(x, y) = enlargedPixel(photo.depth.image(), photo, u, v);
             large->labels(x, y) = photo.labels(std::min(static_cast<int>(u), photo.camera.width - 1),
                                                std::min(static_cast<int>(v), photo.camera.height - 1));
         }

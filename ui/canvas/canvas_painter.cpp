@@ -98,7 +98,8 @@ bool CanvasPainter::resizeScreen(QSize size) {
 }
 
 CanvasPainter::Source CanvasPainter::sourceOf(const CanvasState& state, const gpu::Texture& result) {
-    const unsigned overlay = (mask_ ? CANVAS_OVERLAY : 0U) | (state.brushRadius > 0 ? CANVAS_BRUSH : 0U);
+    const unsigned overlay =
+        (mask_ ? CANVAS_OVERLAY : 0U) | (state.brushShown && state.brushRadius > 0 ? CANVAS_BRUSH : 0U);
     if (state.photo == nullptr) return {black_, false, overlay};
     const bool asResult = state.layer == ViewLayer::Result;
     if (state.comparing || state.layer == ViewLayer::Original || (asResult && !result))

@@ -62,6 +62,7 @@ struct CanvasState {
     float brushRadius = 0;                   ///< [picture pixels]; 0 = no brush
     /// Selected pixels. Mutable, because the painter notes what it has seen.
     mutable PixelOverlay overlay;
+    bool brushShown = false;      ///< the pointer is over the view
     QPointF brushCenter;          ///< picture position under the pointer
     double rulerMillimetres = 0;  ///< size of a picture pixel [mm]; 0 = no ruler
     ViewTransform view;

@@ -76,6 +76,7 @@ void CanvasWindow::moveCursor(const QPointF& logical) {
     if (state_.photo == nullptr) return;
     const QPointF p = state_.view.toPicture(deviceAt(logical));
     state_.brushCenter = p;
+    state_.brushShown = true;
     if (state_.brushRadius > 0) redraw();
     const QPoint pixel(static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y())));
     state_.cursorInside = state_.photo->color.contains(pixel.x(), pixel.y());
@@ -183,12 +184,15 @@ void CanvasWindow::wheelEvent(QWheelEvent* event) {
     if (steps == 0) return;
     state_.view.zoomAt(deviceAt(event->position()), state_.view.zoom() * std::exp2(steps / kStepsPerDoubling));
     emit zoomChanged(state_.view.zoom());
+    moveCursor(event->position());
     redraw();
 }
 
 bool CanvasWindow::event(QEvent* event) {
     if (event->type() == QEvent::Leave) {
         setCursorOutside();
+        state_.brushShown = false;
+        if (state_.brushRadius > 0) redraw();
         emit hoverEnded();
     }
     return QVulkanWindow::event(event);

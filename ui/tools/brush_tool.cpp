@@ -167,6 +167,12 @@ void BrushTool::refine(const core::BinaryMask& painted) {
                      });
 }
 
+bool BrushTool::finish() {
+    if (!stroke_) return false;
+    release();
+    return true;
+}
+
 bool BrushTool::cancel() {
     if (!stroke_) return false;
     stroke_.reset();

@@ -45,6 +45,7 @@ class BrushTool : public Tool {
     void press(const ToolEvent& event) override;
     void drag(const QPointF& position) override;
     void release() override;
+    bool finish() override;
     bool cancel() override;
     bool resize(float factor) override;
 

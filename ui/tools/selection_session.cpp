@@ -135,6 +135,10 @@ void SelectionSession::changeScene(const QString& step, const SceneChange& chang
 }
 
 void SelectionSession::makeSegment() {
+    if (worker_.changing()) {
+        worker_.change([](const core::Selector&, const core::Progress&) {}, [this] { makeSegment(); });
+        return;
+    }
     if (selection() == nullptr) {
         emit message(tr("Select something in the picture first."));
         return;

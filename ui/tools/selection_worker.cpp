@@ -16,6 +16,7 @@ SelectionWorker::~SelectionWorker() {
     {
         const std::lock_guard lock(mutex_);
         quit_ = true;
+        cancelPreparation_ = true;
         cancelChange_ = true;
         cancelPreview_ = true;
     }
@@ -35,6 +36,7 @@ void SelectionWorker::setPhoto(const std::shared_ptr<const core::Photo>& photo) 
         wanted_ = photo;
         changes_.clear();
         preview_.reset();
+        cancelPreparation_ = true;
         cancelChange_ = true;
         cancelPreview_ = true;
     }
@@ -82,6 +84,8 @@ void SelectionWorker::cancel() {
     cancelChange_ = true;
 }
 
+bool SelectionWorker::changing() const { return unfinished_ > (prepared_ ? 0 : 1); }
+
 void SelectionWorker::loop() {
     for (;;) {
         std::shared_ptr<const core::Photo> photo;
@@ -96,7 +100,7 @@ void SelectionWorker::loop() {
             number = photoNumber_;
             if (wanted_ != nullptr) {
                 photo = std::exchange(wanted_, nullptr);
-                cancelChange_ = false;
+                cancelPreparation_ = false;
             } else if (!changes_.empty()) {
                 job = std::move(changes_.front());
                 changes_.pop_front();
@@ -126,7 +130,7 @@ void SelectionWorker::prepare(const std::shared_ptr<const core::Photo>& photo, s
     QString problem;
     try {
         selector_.emplace(core::SelectionInput{photo->color, photo->depth, photo->camera, photo->depthSampleSpacing},
-                          progressOf(cancelChange_));
+                          progressOf(cancelPreparation_));
     } catch (const core::Error& error) {
         if (error.kind() == core::ErrorKind::Cancelled) return;
         problem = translated(error);

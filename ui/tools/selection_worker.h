@@ -46,6 +46,8 @@ class SelectionWorker : public QObject {
     [[nodiscard]] bool prepared() const { return prepared_; }
     /// Whether anything is prepared or selected, previews aside.
     [[nodiscard]] bool busy() const { return unfinished_ > 0; }
+    /// Whether changes are waiting or running.
+    [[nodiscard]] bool changing() const;
 
   signals:
     /// `prepared` or `busy` has another value.
@@ -74,6 +76,7 @@ class SelectionWorker : public QObject {
     bool quit_ = false;                          ///< guarded by mutex_
     std::atomic<std::uint64_t> photoNumber_ = 0;
     std::atomic<std::uint64_t> previewNumber_ = 0;
+    std::atomic<bool> cancelPreparation_ = false;
     std::atomic<bool> cancelChange_ = false;
     std::atomic<bool> cancelPreview_ = false;
     std::optional<core::Selector> selector_;    ///< used by the thread only

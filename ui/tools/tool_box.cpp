@@ -50,9 +50,15 @@ ToolBox::ToolBox(Workspace& workspace, Canvas& canvas, QObject* parent)
     }
     connectCanvas();
     connect(&session_, &SelectionSession::changed, this, &ToolBox::refresh);
-    connect(&session_.worker(), &SelectionWorker::stateChanged, this, &ToolBox::refresh);
+    connect(&session_.worker(), &SelectionWorker::stateChanged, this, [this] {
+        refresh();
+        refreshPointer();
+    });
     connect(&workspace, &Workspace::documentReplaced, this, &ToolBox::followDocument);
-    connect(&workspace, &Workspace::paintingChanged, this, &ToolBox::refreshPointer);
+    connect(&workspace, &Workspace::paintingChanged, this, [this] {
+        refresh();
+        refreshPointer();
+    });
 }
 
 void ToolBox::connectCanvas() {
@@ -289,7 +295,10 @@ void ToolBox::refresh() {
     usesPlace_->setVisible(tool().drawsShapes());
     for (QAction* action : uses_->actions())
         action->setChecked(action->data().toInt() == static_cast<int>(session_.use()));
-    hint_->setText(photo ? tool().hint() : tr("Open a photograph or a project to begin."));
+    hint_->setText(!photo                                 ? tr("Open a photograph or a project to begin.")
+                   : workspace_.paintedDrive() != nullptr ? tr("Paint where the parameter is to vary; Shift erases. A "
+                                                               "tool on the left ends painting.")
+                                                          : tool().hint());
     hint_->setToolTip(hint_->text());
 }
 
@@ -299,7 +308,9 @@ void ToolBox::refreshPointer() {
     } else if (workspace_.paintedDrive() != nullptr) {
         canvas_.setPointer({.strokes = true, .brushRadius = workspace_.brush().radius, .shape = Qt::CrossCursor});
     } else {
-        canvas_.setPointer(tool().pointer());
+        Pointer pointer = tool().pointer();
+        if (session_.worker().changing()) pointer.shape = Qt::BusyCursor;
+        canvas_.setPointer(pointer);
     }
 }
 
@@ -313,11 +324,15 @@ bool ToolBox::pressKey(const QKeyEvent& event) {
         case Qt::Key_Return:
         case Qt::Key_Enter:
             if (drawing() && tool().finish()) return true;
-            if (session_.selection() == nullptr) return false;
+            if (session_.selection() == nullptr && !session_.worker().changing()) return false;
             session_.makeSegment();
             return true;
         case Qt::Key_Escape:
             if (tool().cancel()) return true;
+            if (session_.worker().changing()) {
+                session_.worker().cancel();
+                return true;
+            }
             if (session_.selection() == nullptr) return false;
             session_.clear();
             return true;
@@ -337,6 +352,8 @@ bool ToolBox::pressKey(const QKeyEvent& event) {
             return false;
     }
 }
+
+bool ToolBox::undo() { return tool().takeBack() || tool().cancel(); }
 
 bool ToolBox::releaseKey(const QKeyEvent& event) {
     if (event.key() == Qt::Key_Space && !event.isAutoRepeat()) {

@@ -36,6 +36,8 @@ class ToolBox : public QObject {
     /// Keys while the picture has the focus. False: not a key of the tools.
     bool pressKey(const QKeyEvent& event);
     bool releaseKey(const QKeyEvent& event);
+    /// Takes back the last part of what is being drawn. False: nothing is.
+    bool undo();
 
   private:
     [[nodiscard]] Tool& tool() const { return *tools_[active_]; }
