@@ -83,7 +83,7 @@ class SegmentNames {
     std::map<std::string, int> next_;  ///< first number to try, by stem
 };
 
-void requirePixels(const Scene& scene, const BinaryMask& mask) {
+void requirePixels([[maybe_unused]] const Scene& scene, const BinaryMask& mask) {
     CORE_ASSERT(mask.sameSize(scene.photo->labels), "a mask has the photograph's size");
     if (std::ranges::all_of(mask.pixels(), [](std::uint8_t value) { return value == 0; }))
         refuse(Message("messages", "Nothing is selected, so there is no segment to make."));

@@ -30,11 +30,11 @@ constexpr float kColorCost = 60;
 
 /// Directions in which a boundary is measured, and the part of the cost in each: a line costs about its length whatever
 /// its direction ([BK03]).
-struct Step {
+struct OutlineStep {
     int dx, dy;
     float share;
 };
-constexpr std::array<Step, 4> kSteps{{{1, 0, 0.393f}, {0, 1, 0.393f}, {1, 1, 0.278f}, {-1, 1, 0.278f}}};
+constexpr std::array<OutlineStep, 4> kOutlineSteps{{{1, 0, 0.393f}, {0, 1, 0.393f}, {1, 1, 0.278f}, {-1, 1, 0.278f}}};
 
 /// Pixels of the photograph in which the outline may move. Those of one cell of the mask follow each other.
 struct Band {
@@ -198,7 +198,7 @@ void addBoundaries(const Band& band, const BinaryMask& mask, const Image<PackedL
     for (std::uint32_t i = 0; i < band.pixels.size(); ++i) {
         const Pixel p = band.pixels[i];
         const Vector3f color = unpackLab(lab(p.x, p.y));
-        for (const Step& step : kSteps)
+        for (const OutlineStep& step : kOutlineSteps)
             for (const int sign : {1, -1}) {
                 const int x = p.x + sign * step.dx, y = p.y + sign * step.dy;
                 if (!lab.contains(x, y)) continue;
