@@ -13,14 +13,14 @@ namespace {
 
 constexpr float kFocal = 100;
 
-struct Picture {
+struct Halves {
     core::ImageRgb color;
     core::ImageF depth;
 };
 
 /// Left half dark at 1 m, right half light at 2 m.
-Picture makeHalves(int width, int height) {
-    Picture picture{core::ImageRgb(width, height, core::Vector3f(0.1f, 0.1f, 0.1f)), core::ImageF(width, height, 1.0f)};
+Halves makeHalves(int width, int height) {
+    Halves picture{core::ImageRgb(width, height, core::Vector3f(0.1f, 0.1f, 0.1f)), core::ImageF(width, height, 1.0f)};
     for (int y = 0; y < height; ++y)
         for (int x = width / 2; x < width; ++x) {
             picture.color(x, y) = {0.7f, 0.6f, 0.5f};
@@ -29,7 +29,7 @@ Picture makeHalves(int width, int height) {
     return picture;
 }
 
-core::SelectionStroke begin(const Picture& picture, const core::SelectionBrush& brush, std::uint8_t before = 0) {
+core::SelectionStroke begin(const Halves& picture, const core::SelectionBrush& brush, std::uint8_t before = 0) {
     return {core::BinaryMask(picture.color.width(), picture.color.height(), before), brush, picture.color,
             picture.depth, kFocal};
 }
@@ -43,7 +43,7 @@ float distanceTo(int x, int y, core::Vector2f a, core::Vector2f b) {
 }
 
 TEST(SelectionStroke, PaintsWhatIsWithinItsRadius) {
-    const Picture picture = makeHalves(64, 48);
+    const Halves picture = makeHalves(64, 48);
     core::SelectionStroke stroke = begin(picture, {.radius = 6});
     const core::Vector2f a(10.3f, 9.8f), b(50.1f, 33.4f);
     static_cast<void>(stroke.moveTo(a.x(), a.y()));
@@ -64,7 +64,7 @@ TEST(SelectionStroke, PaintsWhatIsWithinItsRadius) {
 }
 
 TEST(SelectionStroke, ErasesAndStaysInThePicture) {
-    const Picture picture = makeHalves(40, 30);
+    const Halves picture = makeHalves(40, 30);
     core::SelectionStroke stroke = begin(picture, {.radius = 5, .erase = true}, 1);
     EXPECT_FALSE(stroke.moveTo(0, 0).empty());
     EXPECT_EQ(stroke.mask()(0, 0), 0);
@@ -77,7 +77,7 @@ TEST(SelectionStroke, ErasesAndStaysInThePicture) {
 }
 
 TEST(SelectionStroke, ASmallBrushPaintsThePixelUnderIt) {
-    const Picture picture = makeHalves(20, 20);
+    const Halves picture = makeHalves(20, 20);
     core::SelectionStroke stroke = begin(picture, {.radius = 0.2f, .hardness = 0});
     static_cast<void>(stroke.moveTo(7.9f, 3.1f));
     for (int y = 0; y < 20; ++y)
@@ -85,7 +85,7 @@ TEST(SelectionStroke, ASmallBrushPaintsThePixelUnderIt) {
 }
 
 TEST(SelectionStroke, StopsAtDepthEdges) {
-    Picture picture = makeHalves(64, 48);
+    Halves picture = makeHalves(64, 48);
     std::ranges::fill(picture.color.pixels(), core::Vector3f(0.5f, 0.5f, 0.5f));
     core::SelectionStroke stroke = begin(picture, {.radius = 10, .stopAtDepthEdges = true});
     static_cast<void>(stroke.moveTo(28, 24));
@@ -95,7 +95,7 @@ TEST(SelectionStroke, StopsAtDepthEdges) {
 }
 
 TEST(SelectionStroke, ASoftRimTakesOnlyWhatLooksAlike) {
-    Picture picture = makeHalves(64, 48);
+    Halves picture = makeHalves(64, 48);
     std::ranges::fill(picture.depth.pixels(), 1.0f);
     core::SelectionStroke stroke = begin(picture, {.radius = 10, .hardness = 0.3f});
     static_cast<void>(stroke.moveTo(26, 24));
@@ -108,7 +108,7 @@ TEST(SelectionStroke, ASoftRimTakesOnlyWhatLooksAlike) {
 
 // What an event of the pointer costs does not depend on the size of the picture.
 TEST(SelectionStroke, AnEventIsQuickInALargePicture) {
-    const Picture picture = makeHalves(6000, 4000);
+    const Halves picture = makeHalves(6000, 4000);
     core::SelectionStroke stroke = begin(picture, {.radius = 80, .hardness = 0.5f, .stopAtDepthEdges = true});
     static_cast<void>(stroke.moveTo(2000, 2000));
     std::vector<double> milliseconds;
