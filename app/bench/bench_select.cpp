@@ -67,7 +67,7 @@ void measure(const core::Photo& photo, const std::string& suffix, const core::Pr
     results.push_back({"select", "slowest_click_seconds" + suffix, *std::ranges::max_element(clicks), "s"});
 }
 
-/// What an event of the pointer costs while the selection is painted, its dearest options on.
+/// Time of one pointer event while a selection is painted, with the brush's most expensive options.
 void measureBrush(const core::Photo& photo, const std::string& suffix, std::vector<BenchResult>& results) {
     const int width = photo.camera.width, height = photo.camera.height;
     core::SelectionStroke stroke(core::BinaryMask(width, height),

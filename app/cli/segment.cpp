@@ -7,6 +7,7 @@
 
 #include "app/cli/session.h"
 #include "core/io/image_io.h"
+#include "core/io/label_map.h"
 #include "core/io/project.h"
 #include "core/scene/segments.h"
 #include "core/selection/selector.h"
@@ -37,13 +38,6 @@ std::vector<core::Pixel> parsePixels(const std::string& option, const std::vecto
     return pixels;
 }
 
-/// A mask as a label map of 0 and 255.
-core::LabelImage whiteWhereSelected(const core::BinaryMask& mask) {
-    core::LabelImage labels(mask.width(), mask.height());
-    for (std::size_t i = 0; i < mask.size(); ++i) labels[i] = mask[i] != 0 ? 255 : 0;
-    return labels;
-}
-
 void checkUsage(const SegmentArguments& args) {
     const auto fail = [](const char* message) { throw core::Error(core::ErrorKind::Usage, message); };
     if (args.propose && (!args.add.empty() || !args.remove.empty() || !args.into.empty()))
@@ -68,10 +62,10 @@ void segment(const SegmentArguments& args) {
     }
     const core::BinaryMask mask = selector.select(seeds, progress.part(0.9f, 1.0f));
     finishProgress();
-    if (args.into.empty()) return core::saveLabels(whiteWhereSelected(mask), args.output);
+    if (args.into.empty()) return core::saveMask(mask, args.output);
     core::Notes notes;
     const core::Scene changed = core::withSegment(scene, mask, args.into, &notes);
-    core::saveLabels(whiteWhereSelected(mask), args.output);
+    core::saveMask(mask, args.output);
     core::saveProject(changed, args.project);
     printNotes(notes);
 }

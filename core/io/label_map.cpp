@@ -38,4 +38,10 @@ Scene withSavedLabels(const Scene& scene, const std::string& project) {
     return result;
 }
 
+void saveMask(const BinaryMask& mask, const std::string& path) {
+    LabelImage picture(mask.width(), mask.height());
+    for (std::size_t i = 0; i < mask.size(); ++i) picture[i] = mask[i] != 0 ? 255 : 0;
+    saveLabels(picture, path);
+}
+
 }  // namespace core

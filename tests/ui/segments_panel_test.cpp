@@ -636,7 +636,7 @@ TEST_F(SegmentsPanelTest, UndoAfterSavingWritesTheOldLabelsAgain) {
     EXPECT_EQ(scene_().photo->labels, fourSegments());
 }
 
-// Rows of a list that nobody can have drawn by hand.
+// As many segments as labels allow.
 TEST(SegmentsPanelSize, AllLabelsOpenAndChangeWithoutAStall) {
     auto photo = std::make_shared<core::Photo>();
     photo->labels = core::LabelImage(1024, 1024, 0);

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "core/base/label_table.h"
-#include "core/io/image_io.h"
+#include "core/io/label_map.h"
 #include "core/io/photo_loader.h"
 #include "core/scene/segment_areas.h"
 #include "core/scene/segments.h"
@@ -354,10 +354,7 @@ void SegmentActions::exportMask(const QString& path) {
     if (working()) return emit message(tr("Please wait until the last file has been read or written."));
     start(
         [photo = workspace_.scene().photo, chosen = chosen_, path](const core::Progress&) {
-            const core::BinaryMask mask = core::maskOfSegments(photo->labels, chosen);
-            core::LabelImage picture(mask.width(), mask.height());
-            for (std::size_t i = 0; i < mask.size(); ++i) picture[i] = mask[i] != 0 ? 255 : 0;
-            core::saveLabels(picture, path.toStdString());
+            core::saveMask(core::maskOfSegments(photo->labels, chosen), path.toStdString());
         },
         [this, path] { emit message(tr("Exported %1").arg(path)); });
 }

@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
-#include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolBar>
 #include <QToolButton>
@@ -115,44 +114,51 @@ void ToolBox::fillMenu(QMenu& menu) {
     buttons_->actions().front()->setChecked(true);
 }
 
-void ToolBox::addOperation(QMenu& menu, const QString& key, const QString& text, const QKeySequence& shortcut,
-                           const QString& help, SelectionSession::Operation operation) {
+QAction* ToolBox::addOperation(QMenu& menu, const QString& key, const QString& text, const QKeySequence& shortcut,
+                               const QString& help, Operation operation) {
     QString name = text;
     name.remove(QLatin1Char('&'));
-    QAction* action = makeAction(this, key, text, shortcut, help,
-                                 [this, name, operation = std::move(operation)] { session_.change(name, operation); });
+    QAction* action = makeAction(this, key, text, shortcut, help, [this, name, operation = std::move(operation)] {
+        session_.change(name,
+                        [operation, width = session_.width()](
+                            const core::Selector& selector, const core::BinaryMask& selected,
+                            const core::Progress& progress) { return operation(selector, selected, width, progress); });
+    });
     menu.addAction(action);
     operations_.push_back(action);
+    return action;
 }
 
 void ToolBox::fillOperations(QMenu& menu) {
     using core::BinaryMask, core::Progress, core::Selector;
     addOperation(menu, "actionInvertSelection", tr("&Invert"), QKeySequence(Qt::CTRL | Qt::Key_I),
                  tr("Select what is not selected"),
-                 [](const Selector&, const BinaryMask& mask, const Progress&) { return core::invertMask(mask); });
+                 [](const Selector&, const BinaryMask& mask, int, const Progress&) { return core::invertMask(mask); });
     menu.addSeparator();
-    addOperation(menu, "actionGrowSelection", tr("&Grow"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Plus),
-                 tr("Add a border of the width in the bar above the picture"),
-                 [this](const Selector&, const BinaryMask& mask, const Progress&) {
-                     return core::growMask(mask, session_.width());
-                 });
-    addOperation(menu, "actionShrinkSelection", tr("S&hrink"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Minus),
-                 tr("Take a border of the width in the bar above the picture away"),
-                 [this](const Selector&, const BinaryMask& mask, const Progress&) {
-                     return core::shrinkMask(mask, session_.width());
-                 });
+    barOperations_.push_back(addOperation(menu, "actionGrowSelection", tr("&Grow"),
+                                          QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Plus),
+                                          tr("Add a border of the width in the bar above the picture"),
+                                          [](const Selector&, const BinaryMask& mask, int width, const Progress&) {
+                                              return core::growMask(mask, width);
+                                          }));
+    barOperations_.push_back(addOperation(menu, "actionShrinkSelection", tr("S&hrink"),
+                                          QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Minus),
+                                          tr("Take a border of the width in the bar above the picture away"),
+                                          [](const Selector&, const BinaryMask& mask, int width, const Progress&) {
+                                              return core::shrinkMask(mask, width);
+                                          }));
     addOperation(menu, "actionFillSelection", tr("&Fill holes"), {}, tr("Add the areas that the selection encloses"),
-                 [](const Selector&, const BinaryMask& mask, const Progress&) { return core::fillHoles(mask); });
+                 [](const Selector&, const BinaryMask& mask, int, const Progress&) { return core::fillHoles(mask); });
     addOperation(menu, "actionSmoothSelection", tr("&Smooth"), {},
                  tr("Round the outline off and drop specks, as wide as the bar above the picture says"),
-                 [this](const Selector&, const BinaryMask& mask, const Progress&) {
-                     return core::smoothMask(mask, session_.width());
+                 [](const Selector&, const BinaryMask& mask, int width, const Progress&) {
+                     return core::smoothMask(mask, width);
                  });
     addOperation(menu, "actionRefineSelection", tr("&Refine whole edge"),
                  QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R),
                  tr("Find the outline again in the photograph, at most the width in the bar above the picture away"),
-                 [this](const Selector& selector, const BinaryMask& mask, const Progress& progress) {
-                     return selector.refine(mask, std::max(1, session_.width()), progress);
+                 [](const Selector& selector, const BinaryMask& mask, int width, const Progress& progress) {
+                     return selector.refine(mask, width, progress);
                  });
 }
 
@@ -239,10 +245,7 @@ void ToolBox::addBars(QMainWindow& window) {
     width->setValue(session_.width());
     connect(width, &QSpinBox::valueChanged, this, [this](int value) { session_.setWidth(value); });
     optionBar->addWidget(width);
-    for (QAction* action : operations_)
-        if (action->objectName() == QLatin1String("actionGrowSelection") ||
-            action->objectName() == QLatin1String("actionShrinkSelection"))
-            optionBar->addAction(action);
+    for (QAction* action : barOperations_) optionBar->addAction(action);
     optionBar->addAction(clear_);
     optionBar->addAction(makeSegment_);
     window.addToolBarBreak();

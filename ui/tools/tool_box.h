@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <vector>
 
 #include "ui/tools/brush_tool.h"
@@ -46,8 +47,11 @@ class ToolBox : public QObject {
     void activate(std::size_t index);
     void fillOperations(QMenu& menu);
     void fillSegmentActions(QMenu& menu);
-    void addOperation(QMenu& menu, const QString& key, const QString& text, const QKeySequence& shortcut,
-                      const QString& help, SelectionSession::Operation operation);
+    /// What an action makes of the selection, on the worker's thread; `width` [px] is that of the bar at the click.
+    using Operation = std::function<core::BinaryMask(const core::Selector&, const core::BinaryMask& selected, int width,
+                                                     const core::Progress&)>;
+    QAction* addOperation(QMenu& menu, const QString& key, const QString& text, const QKeySequence& shortcut,
+                          const QString& help, Operation operation);
     void connectCanvas();
     void followDocument();
     void refresh();
@@ -68,6 +72,7 @@ class ToolBox : public QObject {
     QAction* selectAll_ = nullptr;
     QAction* makeSegment_ = nullptr;
     QAction* findObjects_ = nullptr;
+    std::vector<QAction*> barOperations_;   ///< shown in the bar too
     std::vector<QAction*> operations_;      ///< need a selection
     std::vector<QAction*> segmentChanges_;  ///< need a selection and a segment
     std::vector<QAction*> options_;         ///< places of the tools' controls in the bar; nullptr = none
