@@ -378,20 +378,8 @@
         <translation>„%1.parameter“ ist „%2“; dieser Parameter wird schon gesteuert.</translation>
     </message>
     <message>
-        <source>In &quot;%1&quot; %2 of the pixels are not finite numbers and %3 are negative, expected radiance of 0 or more: they count as 0. Repair the picture first.</source>
-        <translation>In „%1“ sind %2 der Pixel keine endlichen Zahlen und %3 negativ; erwartet werden Werte ab 0. Sie zählen als 0. Reparieren Sie zuerst das Bild.</translation>
-    </message>
-    <message>
-        <source>In &quot;%1&quot; %2 of the pixels are not finite numbers, expected radiance of 0 or more: they count as 0. Repair the picture first.</source>
-        <translation>In „%1“ sind %2 der Pixel keine endlichen Zahlen; erwartet werden Werte ab 0. Sie zählen als 0. Reparieren Sie zuerst das Bild.</translation>
-    </message>
-    <message>
         <source>In &quot;%1&quot; %2 of the pixels are negative, expected radiance of 0 or more: they count as 0. Repair the picture first.</source>
         <translation>In „%1“ sind %2 der Pixel negativ; erwartet werden Werte ab 0. Sie zählen als 0. Reparieren Sie zuerst das Bild.</translation>
-    </message>
-    <message>
-        <source>it has no channels R, G, B</source>
-        <translation>die Kanäle R, G, B fehlen</translation>
     </message>
     <message>
         <source>it is a JPEG picture, whose compression changes label numbers; expected PNG, TIFF or EXR</source>
@@ -528,10 +516,6 @@
     <message>
         <source>its depth map has %1-bit values, expected 8 or 16-bit integers</source>
         <translation>die Tiefenkarte hat Werte mit %1 Bit, erwartet werden ganze Zahlen mit 8 oder 16 Bit</translation>
-    </message>
-    <message>
-        <source>channel Z of an EXR file</source>
-        <translation>Kanal Z einer EXR-Datei</translation>
     </message>
     <message>
         <source>its depth image is in colour, expected grey</source>
@@ -812,10 +796,6 @@
     <message>
         <source>[r, g, b] or &quot;estimated&quot;</source>
         <translation>[r, g, b] oder &quot;estimated&quot;</translation>
-    </message>
-    <message>
-        <source>%1 size (%2) differs from colour image size (%3); expected the same size or a smaller image of the same shape.</source>
-        <translation>%1: Die Größe (%2) weicht von der des Farbbilds (%3) ab; erwartet wird dieselbe Größe oder ein kleineres Bild mit denselben Proportionen.</translation>
     </message>
     <message>
         <source>While loading &quot;%1&quot; for &quot;%2&quot;.</source>
@@ -1300,6 +1280,82 @@
     <message>
         <source>The depth inside &quot;%1&quot; is read as &quot;%2&quot;, although the file says that it is &quot;%3&quot;.</source>
         <translation>Die Tiefe in „%1“ wird als „%2“ gelesen, obwohl sie laut Datei „%3“ ist.</translation>
+    </message>
+    <message>
+        <source>In &quot;%1&quot; %2 of the pixels are not numbers, expected radiance of 0 or more: they count as 0. Repair the picture first.</source>
+        <translation>In „%1“ sind %2 der Pixel keine Zahlen, erwartet wird eine Strahldichte von mindestens 0: Sie zählen als 0. Reparieren Sie zuerst das Bild.</translation>
+    </message>
+    <message>
+        <source>In &quot;%1&quot; %2 of the pixels are infinite, expected radiance of 0 or more: they count as the largest finite value of the file, and as %3 at least.</source>
+        <translation>In „%1“ sind %2 der Pixel unendlich, erwartet wird eine Strahldichte von mindestens 0: Sie zählen als der größte endliche Wert der Datei, mindestens aber als %3.</translation>
+    </message>
+    <message>
+        <source>The colour is read from layer &quot;%1&quot; of &quot;%2&quot;, which has others: %3.</source>
+        <translation>Die Farbe kommt aus der Ebene „%1“ von „%2“; weitere Ebenen sind: %3.</translation>
+    </message>
+    <message>
+        <source>it has no channels R, G, B in any layer, only %1</source>
+        <translation>in keiner Ebene gibt es Kanäle R, G, B, nur %1</translation>
+    </message>
+    <message>
+        <source>it is a colour picture, expected one number per pixel</source>
+        <translation>es ist ein Farbbild, erwartet wird eine Zahl je Pixel</translation>
+    </message>
+    <message>
+        <source>The depth is channel &quot;%1&quot; of &quot;%2&quot;.</source>
+        <translation>Die Tiefe ist der Kanal „%1“ von „%2“.</translation>
+    </message>
+    <message>
+        <source>none of its channels is a depth map: %1</source>
+        <translation>keiner der Kanäle ist eine Tiefenkarte: %1</translation>
+    </message>
+    <message>
+        <source>The scale %1 in the header of &quot;%2&quot; is not applied: its values are taken as they are stored.</source>
+        <translation>Der Maßstab %1 im Kopf von „%2“ wird nicht angewandt: Die Werte gelten, wie sie gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>it has Cryptomatte layers, which Patina does not read, and no layer of object numbers (IndexOB); its channels are %1</source>
+        <translation>es enthält Cryptomatte-Ebenen, die Patina nicht liest, und keine Ebene mit Objektnummern (IndexOB); die Kanäle sind %1</translation>
+    </message>
+    <message>
+        <source>it is a colour picture, expected one number per pixel, or a layer of object numbers (IndexOB); its channels are %1</source>
+        <translation>es ist ein Farbbild, erwartet wird eine Zahl je Pixel oder eine Ebene mit Objektnummern (IndexOB); die Kanäle sind %1</translation>
+    </message>
+    <message>
+        <source>Cannot write &quot;%1&quot;: a PNG holds measurements up to %2 here, and the largest is %3. Expected .exr or .tif.</source>
+        <translation>„%1“ kann nicht geschrieben werden: Ein PNG fasst hier Messwerte bis %2, der größte ist %3. Erwartet wird .exr oder .tif.</translation>
+    </message>
+    <message>
+        <source>positions in metres</source>
+        <translation>Positionen in Metern</translation>
+    </message>
+    <message>
+        <source>.exr or .tif</source>
+        <translation>.exr oder .tif</translation>
+    </message>
+    <message>
+        <source>depth channel of an EXR file</source>
+        <translation>Tiefenkanal einer EXR-Datei</translation>
+    </message>
+    <message>
+        <source>%1 size (%2) differs in shape from colour image size (%3); expected the same ratio of width to height.</source>
+        <translation>%1: Das Format (%2) passt nicht zu dem des Farbbilds (%3); erwartet wird dasselbe Verhältnis von Breite zu Höhe.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; (%2) is reduced to the colour image (%3).</source>
+        <translation>„%1“ (%2) wird auf das Farbbild (%3) verkleinert.</translation>
+    </message>
+    <message>
+        <source>The pixels of &quot;%1&quot; are %2 times as wide as high; the camera accounts for it.</source>
+        <translation>Die Pixel von „%1“ sind %2-mal so breit wie hoch; die Kamera berücksichtigt das.</translation>
+    </message>
+    <message>
+        <source>%1 % of the values in &quot;%2&quot; are 65535, far from all others: they count as not measured.</source>
+        <translation>%1 % der Werte in „%2“ sind 65535, weit entfernt von allen anderen: Sie gelten als nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>The values of &quot;%1&quot; fill the range from 0 to %2 exactly, so this is probably relative depth, as networks give it, often with the largest value nearest. For that, give the kind &quot;inverse&quot; and a unit.</source>
+        <translation>Die Werte von „%1“ füllen den Bereich von 0 bis %2 genau aus; wahrscheinlich ist es relative Tiefe, wie neuronale Netze sie liefern, bei der oft der größte Wert am nächsten liegt. Geben Sie dafür die Art „inverse“ und eine Einheit an.</translation>
     </message>
 </context>
 <context>

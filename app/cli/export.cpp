@@ -43,7 +43,7 @@ constexpr std::array kAnalysisLayers{
     Layer{"normals", [](const core::Scene&, const Analysis& analysis,
                         const std::string& path) { core::saveVectors(analysis.front->normal, path); }},
     Layer{"positions", [](const core::Scene&, const Analysis& analysis,
-                          const std::string& path) { core::saveVectors(analysis.front->position, path); }},
+                          const std::string& path) { core::savePositions(analysis.front->position, path); }},
     Layer{"area",
           [](const core::Scene&, const Analysis& analysis, const std::string& path) {
               core::saveScalar(analysis.front->area, path, "area", kMilliSquareMillimetres);

@@ -100,7 +100,9 @@ Edits parseEdits(const RenderArguments& args) {
 void applyArguments(const RenderArguments& args, const Edits& edits, core::Scene& scene) {
     if (!args.environment.empty()) {
         scene.environment.path = args.environment;
-        scene.environment.image = core::loadEnvironment(args.environment);
+        core::Notes notes;
+        scene.environment.image = core::loadEnvironment(args.environment, &notes);
+        printNotes(notes);
         scene.environment.use =
             args.completeEnvironment ? core::EnvironmentUse::Complete : core::EnvironmentUse::Replace;
     }

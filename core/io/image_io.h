@@ -19,14 +19,17 @@ inline constexpr long kMaxImagePixels = 200'000'000;
 // applied, and an EXR data window is placed in its display window (zero outside).
 
 /// Colour as scene-linear Rec.709: integer files are decoded by their ICC profile, otherwise their gamma, otherwise
-/// sRGB; float files are taken as linear, in the primaries they name, else Rec.709. R, G, B by name, plain or in a
-/// layer; a single channel is grey. Alpha is ignored. NaN and Inf become 0, negative values are clamped to 0; where
-/// that changes much of the picture, `remarks` says so.
+/// sRGB; float files without a profile are taken as linear, in the primaries they name, else Rec.709. The exposure in
+/// the header of an HDR file is undone. Of an EXR with layers, the one that exrColor finds. A single channel is grey.
+/// Alpha is ignored. NaN becomes 0, infinity the largest finite value (at least 65504), negative values are clamped to
+/// 0; `remarks` says so, and from which of several layers the colour comes.
 [[nodiscard]] ImageRgb loadColor(const std::string& path, Notes* remarks = nullptr);
-/// One channel of stored values as float, undecoded (16-bit PNG gives 0..65535); channel Z, otherwise Y, otherwise the
-/// first.
-[[nodiscard]] ImageF loadScalar(const std::string& path);
-/// Channel A beside channel Z of a flat image: the share of each pixel that is covered. Empty where there is none.
+/// One channel of stored values as float, undecoded (16-bit PNG gives 0..65535): of an EXR file the depth (exrDepth),
+/// otherwise its only channel; of other files the grey value. A picture whose red, green and blue differ is refused.
+/// Only the sign of a PFM's scale is used, for the byte order. `remarks` names the channel of an EXR where it is in a
+/// layer.
+[[nodiscard]] ImageF loadScalar(const std::string& path, Notes* remarks = nullptr);
+/// Channel A beside the depth of a flat image: the share of each pixel that is covered. Empty where there is none.
 [[nodiscard]] ImageF loadCoverage(const std::string& path);
 /// Bits per sample of the file's stored values, and whether they are floating point.
 struct StoredFormat {
@@ -43,9 +46,10 @@ struct ImageInfo {
     int width = 0;                   ///< as displayed (orientation applied)
     int height = 0;                  ///< as displayed
     int orientation = 1;             ///< EXIF, 1..8
-    std::optional<float> focal35mm;  ///< 35 mm equivalent focal length [mm], when > 0
+    std::optional<float> focal35mm;  ///< 35 mm equivalent focal length [mm], also from sensor size
     std::string device;              ///< maker and model of the camera; "" = not stated
-    bool hasDepthChannel = false;    ///< a channel called Z
+    bool hasDepthChannel = false;    ///< an EXR file with a floating-point depth (exrDepth)
+    float pixelAspect = 1;           ///< width of a pixel over its height
     StoredFormat format;
 };
 [[nodiscard]] ImageInfo readImageInfo(const std::string& path);
@@ -53,7 +57,8 @@ struct ImageInfo {
 [[nodiscard]] bool isImageFile(const std::string& path);
 /// What becomes of a black-and-white mask with soft edges: one object, or one segment for each of its values.
 enum class MaskEdges { Harden, Keep };
-/// Label map: 8 or 16-bit integers (floats when they are whole numbers), palette pictures by index. JPEG is refused. A
+/// Label map: 8 or 16-bit integers (floats when they are whole numbers), palette pictures by index, of a renderer's EXR
+/// the object numbers (exrIndices). JPEG is refused. A
 /// black-and-white mask with soft edges (Harden), or one in the alpha channel, is one object (core/io/mask_labels.h);
 /// `remarks` says so.
 [[nodiscard]] LabelImage loadLabels(const std::string& path, Notes* remarks = nullptr,
@@ -75,11 +80,12 @@ struct EmbeddedImage {
 /// sRGB-encoded and clipped to [0, 1].
 void saveColor(const ImageRgb& image, const std::string& path);
 /// Scalars as they are: exr (one channel with the given name), tif and hdr keep floats; png stores `value * pngScale`
-/// rounded to 16 bit. No jpg.
+/// rounded to 16 bit, and Error(Usage) where one does not fit. No jpg.
 void saveScalar(const ImageF& image, const std::string& path, const std::string& channel, float pngScale = 1000.0f);
-/// Vectors in [-1, 1] or metres: exr and float tif as x, y, z channels named R, G, B; png and jpg as 0.5 + 0.5·v,
-/// clipped. No hdr.
+/// Unit vectors: exr and float tif as x, y, z channels named R, G, B; png and jpg as 0.5 + 0.5·v. No hdr.
 void saveVectors(const ImageV3& image, const std::string& path);
+/// Positions [m]: exr and float tif as x, y, z channels named R, G, B. Nothing else can hold them.
+void savePositions(const ImageV3& image, const std::string& path);
 /// png and tif (8 bit up to label 255, else 16), exr (32-bit integers). No jpg, no hdr.
 void saveLabels(const LabelImage& image, const std::string& path);
 /// Directional map; EXR carries the LatLong envmap attribute and the coverage as a fourth channel. In OpenEXR's frame

@@ -8,8 +8,12 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <locale>
+#include <span>
+#include <sstream>
 
 #include "core/base/files.h"
 #include "core/io/deep_exr.h"
@@ -121,21 +125,38 @@ bool indexedTiffToGrey(std::string& bytes) {
     return true;
 }
 
-int findChannel(const OIIO::ImageSpec& spec, const std::string& name) {
-    const auto lower = [](std::string text) {
-        std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        return text;
-    };
-    const std::string wanted = lower(name);
-    const std::string suffix = "." + wanted;
-    int layered = -1;
-    for (int c = 0; c < spec.nchannels; ++c) {
-        const std::string channel = lower(spec.channel_name(c));
-        if (channel == wanted) return c;
-        if (layered < 0 && channel.ends_with(suffix)) layered = c;
+namespace {
+
+/// Product of the EXPOSURE lines of a Radiance picture, by which its pixels have been multiplied (Ward, "The RADIANCE
+/// picture file format"); 1 when there is none or it is no positive number.
+float radianceExposure(std::string_view head) {
+    constexpr std::string_view kKey = "EXPOSURE=";
+    double product = 1;
+    for (std::size_t at = 0; at < head.size();) {
+        const std::size_t end = std::min(head.find('\n', at), head.size());
+        const std::string_view line = head.substr(at, end - at);
+        if (line.empty()) break;
+        if (line.starts_with(kKey)) product *= std::strtod(std::string(line.substr(kKey.size())).c_str(), nullptr);
+        at = end + 1;
     }
-    return layered;
+    const auto factor = static_cast<float>(product);
+    return std::isfinite(factor) && factor > 0 ? factor : 1.0f;
 }
+
+/// Magnitude of the scale in a PFM header: "Pf", width, height, scale.
+float pfmScale(std::string_view head) {
+    if (!head.starts_with("PF") && !head.starts_with("Pf")) return 1;
+    std::istringstream text{std::string(head.substr(2))};
+    text.imbue(std::locale::classic());
+    long width = 0;
+    long height = 0;
+    float scale = 1;
+    if (!(text >> width >> height >> scale)) return 1;
+    scale = std::abs(scale);
+    return std::isfinite(scale) && scale > 0 ? scale : 1.0f;
+}
+
+}  // namespace
 
 ImageReader::ImageReader(const std::string& path, Palette palette)
     : subject_("\"" + path + "\""), path_(path), fileSize_(checkedFileSize(path)) {
@@ -180,7 +201,15 @@ void ImageReader::open(const std::string& name, Palette palette) {
     }
     if (!input_->open(name, spec_, config)) fail(libraryReason(input_->geterror()));
     checkHeader();
+    readHeaderFactor();
     if (format_ == "png" && pngBits() < 8) spec_["oiio:BitsPerSample"] = pngBits();
+}
+
+void ImageReader::readHeaderFactor() {
+    constexpr std::size_t kHeaderBytes = 4096;
+    if (format_ != "pnm" && format_ != "hdr") return;
+    const std::string head = path_.empty() ? memory_.substr(0, kHeaderBytes) : readHead(path_, kHeaderBytes);
+    headerFactor_ = format_ == "pnm" ? pfmScale(head) : radianceExposure(head);
 }
 
 bool isImageFile(const std::string& path) {
@@ -244,6 +273,19 @@ bool ImageReader::seekPart(const std::function<bool(const OIIO::ImageSpec&)>& ac
     return false;
 }
 
+std::vector<OIIO::ImageSpec> ImageReader::parts() {
+    std::vector<OIIO::ImageSpec> specs;
+    (void)seekPart([&](const OIIO::ImageSpec& spec) {
+        specs.push_back(spec);
+        return false;
+    });
+    return specs;
+}
+
+void ImageReader::goToPart(int part) {
+    (void)seekPart([&](const OIIO::ImageSpec&) { return part-- == 0; });
+}
+
 float ImageReader::integerScale() const {
     if (spec_.format.is_floating_point()) return 1.0f;
     const int typeBits = static_cast<int>(spec_.format.basesize() * 8);
@@ -273,6 +315,10 @@ void ImageReader::readRegion(int channelBegin, int channelEnd, float* target) {
     }
     if (!input_->read_image(input_->current_subimage(), 0, channelBegin, channelEnd, OIIO::TypeFloat, target))
         fail(libraryReason(input_->geterror()));
+    if (headerFactor_ == 1) return;
+    const auto count = static_cast<std::size_t>(spec_.width) * static_cast<std::size_t>(spec_.height) *
+                       static_cast<std::size_t>(channelEnd - channelBegin);
+    for (float& value : std::span(target, count)) value /= headerFactor_;
 }
 
 ImageF ImageReader::readChannel(int channel) {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/base/image.h"
 #include "core/io/image_io.h"
@@ -40,6 +41,13 @@ class ImageReader {
     /// and stays at the first part, when there is none.
     bool seekPart(const std::function<bool(const OIIO::ImageSpec&)>& accept);
 
+    /// The headers of all parts.
+    [[nodiscard]] std::vector<OIIO::ImageSpec> parts();
+    /// Goes to a part of `parts()`.
+    void goToPart(int part);
+    /// The scale factor in the header of a PFM, of which only the sign is used; 1 for other formats.
+    [[nodiscard]] float ignoredScale() const { return format_ == "pnm" ? headerFactor_ : 1.0f; }
+
     /// One channel over the display window, zero outside the data window; stored values (integers are not normalised).
     [[nodiscard]] ImageF readChannel(int channel);
     /// Three channels at once; channels may repeat. Integers are normalised to [0, 1].
@@ -55,6 +63,7 @@ class ImageReader {
     void checkHeader() const;
     [[nodiscard]] std::string readAll() const;
     [[nodiscard]] int pngBits() const;
+    void readHeaderFactor();
     void readRegion(int channelBegin, int channelEnd, float* target);
     [[nodiscard]] bool dataFillsDisplay() const;
 
@@ -66,10 +75,8 @@ class ImageReader {
     std::unique_ptr<OIIO::Filesystem::IOMemReader> proxy_;
     std::unique_ptr<OIIO::ImageInput> input_;
     OIIO::ImageSpec spec_;
+    float headerFactor_ = 1;  ///< of a PFM or HDR file: what the library multiplied by, or left in the values
 };
-
-/// Index of the channel called `name` or "layer.name" (case-insensitive), the plain name first; -1 when there is none.
-[[nodiscard]] int findChannel(const OIIO::ImageSpec& spec, const std::string& name);
 
 /// A palette picture (PNG colour type 3) rewritten as a grey one, so that its indices can be read as numbers. Returns
 /// false, leaving `bytes`, when it is no such file.

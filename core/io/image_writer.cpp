@@ -83,6 +83,21 @@ std::vector<std::uint16_t> quantize(std::span<const float> values, float scale, 
     return result;
 }
 
+/// A value that does not fit would be cut, and nobody would notice.
+void requireSixteenBits(const ImageF& image, float scale, const std::string& path) {
+    constexpr float kLargest = 65535.5f;
+    float largest = 0;
+    for (const float value : image.pixels())
+        if (std::isfinite(value)) largest = std::max(largest, value);
+    if (largest * scale < kLargest) return;
+    throw Error(
+        ErrorKind::Usage,
+        Message("messages",
+                "Cannot write \"%1\": a PNG holds measurements up to %2 here, and the largest is %3. Expected .exr or "
+                ".tif.")
+            .with(path, 65535.0f / scale, largest));
+}
+
 std::span<const float> components(const ImageRgb& image) {
     static_assert(sizeof(Vector3f) == 3 * sizeof(float));
     return {image.empty() ? nullptr : image.data()->data(), image.size() * 3};
@@ -151,6 +166,7 @@ void saveScalar(const ImageF& image, const std::string& path, const std::string&
     if (format == Format::Jpeg)
         refuse(path, Message("messages", "measurements"), Message("messages", ".exr, .tif, .hdr or .png"));
     if (format == Format::Png) {
+        requireSixteenBits(image, pngScale, path);
         writeIntegers(quantize(image.pixels(), pngScale, 0.0f), image.width(), image.height(), 1, path, format,
                       "Linear");
         return;
@@ -173,6 +189,13 @@ void saveVectors(const ImageV3& image, const std::string& path) {
     if (format == Format::Exr || format == Format::Tiff) return writeLinear(image, path, format);
     writeIntegers(quantize(components(image), 0.5f * 65535.0f, 0.5f * 65535.0f), image.width(), image.height(), 3, path,
                   format, "Linear");
+}
+
+void savePositions(const ImageV3& image, const std::string& path) {
+    const Format format = formatOf(path);
+    if (format != Format::Exr && format != Format::Tiff)
+        refuse(path, Message("messages", "positions in metres"), Message("messages", ".exr or .tif"));
+    writeLinear(image, path, format);
 }
 
 void saveLabels(const LabelImage& image, const std::string& path) {

@@ -17,10 +17,10 @@ constexpr double kShapeTolerance = 0.02;  ///< relative difference of width / he
 
 std::string dimensions(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
-/// True if a map can be enlarged to the photograph: same shape within the tolerance, and not larger.
+/// True if a map can be scaled to the photograph: same shape within the tolerance.
 bool fits(int width, int height, const Camera& camera) {
     const double ratio = static_cast<double>(width) * camera.height / (static_cast<double>(height) * camera.width);
-    return std::abs(ratio - 1) <= kShapeTolerance && width <= camera.width && height <= camera.height;
+    return std::abs(ratio - 1) <= kShapeTolerance;
 }
 
 ImageInfo importedInfo(const ImportedPhoto& photo) {
@@ -29,6 +29,7 @@ ImageInfo importedInfo(const ImportedPhoto& photo) {
     info.height = photo.color.height();
     info.orientation = photo.orientation;
     info.focal35mm = photo.focal35mm;
+    info.pixelAspect = photo.pixelAspect;
     return info;
 }
 
@@ -68,21 +69,53 @@ Image<T> matchOrientation(Image<T> map, const std::string& path, const Message& 
     if (fits(map.width(), map.height(), camera)) return map;
     if (mapOrientation == 1 && colorOrientation >= 5 && fits(map.height(), map.width(), camera))
         return applyOrientation(std::move(map), colorOrientation);
-    throw Error(ErrorKind::Input,
-                Message("messages",
-                        "%1 size (%2) differs from colour image size (%3); expected the same size or a smaller image "
-                        "of the same shape.")
-                    .with(what, dimensions(map.width(), map.height()), dimensions(camera.width, camera.height)))
+    throw Error(
+        ErrorKind::Input,
+        Message("messages",
+                "%1 size (%2) differs in shape from colour image size (%3); expected the same ratio of width to "
+                "height.")
+            .with(what, dimensions(map.width(), map.height()), dimensions(camera.width, camera.height)))
         .withContext(Message("messages", "While loading \"%1\" for \"%2\".").with(path, colorPath));
 }
 template ImageF matchOrientation(ImageF, const std::string&, const Message&, const Camera&, int, int, const Message&);
 template LabelImage matchOrientation(LabelImage, const std::string&, const Message&, const Camera&, int, int,
                                      const Message&);
 
+template <class T>
+Image<T> resampleNearest(Image<T> image, const Camera& camera) {
+    if (image.width() == camera.width && image.height() == camera.height) return image;
+    Image<T> result(camera.width, camera.height);
+    for (int y = 0; y < camera.height; ++y) {
+        const auto v = static_cast<int>((static_cast<long>(2 * y + 1) * image.height()) / (2L * camera.height));
+        for (int x = 0; x < camera.width; ++x) {
+            const auto u = static_cast<int>((static_cast<long>(2 * x + 1) * image.width()) / (2L * camera.width));
+            result(x, y) = image(u, v);
+        }
+    }
+    return result;
+}
+template ImageF resampleNearest(ImageF, const Camera&);
+template LabelImage resampleNearest(LabelImage, const Camera&);
+
+namespace {
+
+/// Nothing is left of a map's pixels between those of a smaller photograph.
+ImageF reduceLarger(ImageF map, const std::string& path, const Camera& camera, Notes* remarks) {
+    if (map.width() <= camera.width && map.height() <= camera.height) return map;
+    if (remarks != nullptr)
+        remarks->push_back(
+            Message("messages", "\"%1\" (%2) is reduced to the colour image (%3).")
+                .with(path, dimensions(map.width(), map.height()), dimensions(camera.width, camera.height)));
+    return resampleNearest(std::move(map), camera);
+}
+
+}  // namespace
+
 ImageF readMapFile(const std::string& path, const Camera& camera, int colorOrientation, const Message& colorPath,
-                   const Message& what) {
-    return matchOrientation(loadScalar(path), path, what, camera, readImageInfo(path).orientation, colorOrientation,
-                            colorPath);
+                   const Message& what, Notes* remarks) {
+    ImageF map = matchOrientation(loadScalar(path, remarks), path, what, camera, readImageInfo(path).orientation,
+                                  colorOrientation, colorPath);
+    return reduceLarger(std::move(map), path, camera, remarks);
 }
 
 PhotoFiles readStoredDepth(const std::string& color, const std::string& depth) {
@@ -97,10 +130,11 @@ PhotoFiles readStoredDepth(const std::string& color, const std::string& depth) {
     const Message what("messages", "Depth image");
     if (!depth.empty()) {
         files.depthFormat = storedFormat(depth);
-        files.depth = readMapFile(depth, camera, files.info.orientation, color, what);
+        files.depth = readMapFile(depth, camera, files.info.orientation, color, what, &files.depthRemarks);
     } else if (files.imported && !files.imported->depth.empty()) {
         files.depth = matchOrientation(withoutMixedDepth(std::move(files.imported->depth), files.imported->coverage),
                                        color, what, camera, 1, 1, color);
+        files.depth = reduceLarger(std::move(files.depth), color, camera, &files.depthRemarks);
     }
     if (!files.imported) return files;
     files.color = std::exchange(files.imported->color, {});

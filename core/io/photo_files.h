@@ -22,6 +22,7 @@ struct PhotoFiles {
     std::optional<ImportedPhoto> imported;
     SharedImage<Vector3f> color;  ///< scene-linear Rec.709; empty until `readColor`
     Notes colorRemarks;
+    Notes depthRemarks;
     /// Stored values in the photograph's layout, at their own resolution; empty = there is no depth.
     ImageF depth;
     StoredFormat depthFormat;  ///< of a separate depth map
@@ -32,17 +33,21 @@ struct PhotoFiles {
 };
 
 /// Reads the depth of a photograph: the map `depth`, or with "" what is inside `color`. Throws Error(Input) for files
-/// that cannot be read, and for a map that is larger than the photograph or of another shape; a photograph without
-/// depth is none.
+/// that cannot be read, and for a map of another shape; a photograph without depth is none.
 [[nodiscard]] PhotoFiles readStoredDepth(const std::string& color, const std::string& depth);
 
 /// Reads the colour if it is not there yet. Throws Error(Input).
 void readColor(PhotoFiles& files);
 
 /// A map of stored values [any unit] that belongs to the photograph of `camera`, in the photograph's orientation.
-/// `what` and `colorPath` name both in messages. Throws Error(Input).
+/// `what` and `colorPath` name both in messages. A larger map is reduced to the photograph's size, without blending.
+/// Throws Error(Input).
 [[nodiscard]] ImageF readMapFile(const std::string& path, const Camera& camera, int colorOrientation,
-                                 const Message& colorPath, const Message& what);
+                                 const Message& colorPath, const Message& what, Notes* remarks = nullptr);
+
+/// The value of the map's pixel at the centre of each pixel of the photograph: never a mixture.
+template <class T>
+[[nodiscard]] Image<T> resampleNearest(Image<T> map, const Camera& camera);
 
 /// Turns a map to the photograph's orientation, still at its own resolution. A map without an orientation tag is turned
 /// when it has the shape of the photograph as stored. Throws Error(Input) when it does not fit.

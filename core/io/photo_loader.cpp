@@ -34,20 +34,6 @@ void note(Notes* notes, Message sentence) {
 
 std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
-template <class T>
-Image<T> enlarge(Image<T> image, const Camera& camera) {
-    if (image.width() == camera.width && image.height() == camera.height) return image;
-    Image<T> result(camera.width, camera.height);
-    for (int y = 0; y < camera.height; ++y) {
-        const auto v = static_cast<int>((static_cast<long>(2 * y + 1) * image.height()) / (2L * camera.height));
-        for (int x = 0; x < camera.width; ++x) {
-            const auto u = static_cast<int>((static_cast<long>(2 * x + 1) * image.width()) / (2L * camera.width));
-            result(x, y) = image(u, v);
-        }
-    }
-    return result;
-}
-
 /// Focal lengths of 0.01 to 1000 image sides, a principal point within 10 image sides.
 bool isSensible(const Camera& camera) {
     const auto near = [](float v, int size) {
@@ -64,6 +50,15 @@ std::string intrinsicsText(const Camera& camera) {
     std::ostringstream text;
     text << "fx=" << camera.fx << ", fy=" << camera.fy << ", cx=" << camera.cx << ", cy=" << camera.cy;
     return text.str();
+}
+
+/// A camera whose fx is right for pixels that are not square: fy in pixels differs by their aspect.
+Camera withPixelAspect(Camera camera, const ImageInfo& info, const std::string& path, Notes* notes) {
+    if (info.pixelAspect == 1) return camera;
+    note(notes, Message("messages", "The pixels of \"%1\" are %2 times as wide as high; the camera accounts for it.")
+                    .with(path, info.pixelAspect));
+    camera.fy *= info.pixelAspect;
+    return camera;
 }
 
 /// The requested camera, or the `stated` one of the photograph's file, or one from its focal length.
@@ -89,7 +84,7 @@ Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, const st
             throw Error(ErrorKind::Usage,
                         Message("messages", "The horizontal field of view is %1 degrees, expected 0.1 to 177.")
                             .with(std::to_string(*request.hfov * 180 / std::numbers::pi_v<float>)));
-        return Camera::fromHorizontalFov(w, h, *request.hfov);
+        return withPixelAspect(Camera::fromHorizontalFov(w, h, *request.hfov), info, path, notes);
     }
     if (stated) {
         if (isSensible(*stated)) {
@@ -101,13 +96,15 @@ Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, const st
                         .with(path, intrinsicsText(*stated)));
     }
     if (info.focal35mm) {
-        const double diagonal = std::hypot(w, h);
+        const double diagonal =
+            std::hypot(w * static_cast<double>(info.pixelAspect), h) / static_cast<double>(info.pixelAspect);
         const auto focal = static_cast<float>(static_cast<double>(*info.focal35mm) * diagonal / kFilmDiagonal);
         std::ostringstream text;
         text << *info.focal35mm;
         note(notes, Message("messages", "The focal length is taken from \"%1\": %2 mm (35 mm equivalent).")
                         .with(path, text.str()));
-        return {w, h, focal, focal, 0.5f * static_cast<float>(w), 0.5f * static_cast<float>(h)};
+        return withPixelAspect({w, h, focal, focal, 0.5f * static_cast<float>(w), 0.5f * static_cast<float>(h)}, info,
+                               path, notes);
     }
     note(notes,
          Message("messages",
@@ -115,7 +112,8 @@ Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, const st
                  "60 degrees.")
              .with(path)
              .about(Setting::FieldOfView));
-    return Camera::fromHorizontalFov(w, h, static_cast<float>(kDefaultFovDegrees * std::numbers::pi / 180));
+    const auto fov = static_cast<float>(kDefaultFovDegrees * std::numbers::pi / 180);
+    return withPixelAspect(Camera::fromHorizontalFov(w, h, fov), info, path, notes);
 }
 
 std::optional<double> requestedUnit(const PhotoRequest& request) {
@@ -172,6 +170,46 @@ void noteImplausibleDepth(const ImageF& depth, const std::string& path, double u
                  "wrong. Give the metres per stored unit (0.001 for millimetres, 1 for metres), or the right kind of "
                  "depth.")
              .with(path, middle, unit, kMinMedian, kMaxMedian)
+             .about(Setting::DepthUnitOrKind));
+}
+
+/// Depth maps of 16 bits without the largest number, where that stands for "not measured": no value comes near it.
+ImageF withoutInvalidCode(const PhotoFiles& files, DepthKind kind, Notes* notes) {
+    constexpr float kCode = 65535;
+    constexpr float kFarBelow = 0.75f * kCode;
+    const bool lengths = kind == DepthKind::Z || kind == DepthKind::Distance;
+    if (files.depthPath.empty() || files.depthFormat.floating || files.depthFormat.bits != 16 || !lengths)
+        return files.depth;
+    std::size_t codes = 0;
+    for (const float value : files.depth.pixels()) {
+        if (value == kCode)
+            ++codes;
+        else if (value > kFarBelow)
+            return files.depth;
+    }
+    if (codes == 0) return files.depth;
+    ImageF valid = files.depth;
+    for (float& value : valid.pixels())
+        if (value == kCode) value = 0;
+    const double share = 100.0 * static_cast<double>(codes) / static_cast<double>(valid.size());
+    note(notes,
+         Message("messages", "%1 % of the values in \"%2\" are 65535, far from all others: they count as not measured.")
+             .with(std::lround(share), files.depthPath));
+    return valid;
+}
+
+/// Networks stretch relative depth over the full range of the file.
+void noteRelativeDepth(const PhotoFiles& files, const ImageF& stored, DepthKind kind, Notes* notes) {
+    if (files.depthPath.empty() || stored.empty() || (kind != DepthKind::Z && kind != DepthKind::Distance)) return;
+    const float largest = files.depthFormat.floating ? 1.0f : std::exp2(static_cast<float>(files.depthFormat.bits)) - 1;
+    const auto [least, most] = std::ranges::minmax(stored.pixels());
+    if (least != 0 || most != largest) return;
+    note(notes,
+         Message("messages",
+                 "The values of \"%1\" fill the range from 0 to %2 exactly, so this is probably relative depth, as "
+                 "networks give it, often with the largest value nearest. For that, give the kind \"inverse\" "
+                 "and a unit.")
+             .with(files.depthPath, largest)
              .about(Setting::DepthUnitOrKind));
 }
 
@@ -238,10 +276,10 @@ std::shared_ptr<const Photo> finishPhoto(const PhotoFiles& files, const PhotoReq
         photo->labels = LabelImage(camera.width, camera.height, 0);
     } else {
         const ImageInfo labelInfo = readImageInfo(source.segments);
-        photo->labels = enlarge(matchOrientation(loadLabels(source.segments, notes, request.maskEdges), source.segments,
-                                                 Message("messages", "Label map"), camera, labelInfo.orientation,
-                                                 files.info.orientation, source.color),
-                                camera);
+        photo->labels = resampleNearest(matchOrientation(loadLabels(source.segments, notes, request.maskEdges),
+                                                         source.segments, Message("messages", "Label map"), camera,
+                                                         labelInfo.orientation, files.info.orientation, source.color),
+                                        camera);
     }
     progress.checkpoint(1);
     return photo;
@@ -278,7 +316,10 @@ PhotoReading interpretPhoto(const PhotoFiles& files, const PhotoRequest& request
         chooseMeaning(*files.imported, request, source, notes);
     else
         source.depthUnit = chooseUnit(request, files, source.depthKind);
-    reading.depth = planarDepthInside(reading.camera, files.depth, source.depthKind, source.depthUnit);
+    for (const Message& remark : files.depthRemarks) note(notes, remark);
+    const ImageF stored = withoutInvalidCode(files, source.depthKind, notes);
+    noteRelativeDepth(files, stored, source.depthKind, notes);
+    reading.depth = planarDepthInside(reading.camera, stored, source.depthKind, source.depthUnit);
     requireValidDepth(reading.depth, files.depthFile());
     noteImplausibleDepth(reading.depth, files.depthFile(), source.depthUnit, notes);
     return reading;
@@ -300,8 +341,8 @@ std::shared_ptr<const Photo> loadPhoto(const PhotoFiles& files, const PhotoReque
     return finishPhoto(files, request, interpretPhoto(files, request, notes), notes, progress);
 }
 
-std::shared_ptr<const ImageRgb> loadEnvironment(const std::string& path) {
-    auto image = std::make_shared<ImageRgb>(loadColor(path));
+std::shared_ptr<const ImageRgb> loadEnvironment(const std::string& path, Notes* notes) {
+    auto image = std::make_shared<ImageRgb>(loadColor(path, notes));
     if (image->width() != 2 * image->height())
         throw Error(
             ErrorKind::Input,
@@ -312,9 +353,9 @@ std::shared_ptr<const ImageRgb> loadEnvironment(const std::string& path) {
 }
 
 LabelImage loadLabelMap(const std::string& path, const Camera& camera, Notes* notes) {
-    return enlarge(matchOrientation(loadLabels(path, notes), path, Message("messages", "Label map"), camera,
-                                    readImageInfo(path).orientation, 1, Message("messages", "the photograph")),
-                   camera);
+    return resampleNearest(matchOrientation(loadLabels(path, notes), path, Message("messages", "Label map"), camera,
+                                            readImageInfo(path).orientation, 1, Message("messages", "the photograph")),
+                           camera);
 }
 
 std::shared_ptr<const ImageF> loadBackDepth(const std::string& path, const Camera& camera) {

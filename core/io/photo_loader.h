@@ -50,8 +50,9 @@ struct PhotoReading {
 /// Larger values [m] are not measurements: renderers write 1e10 for the sky.
 inline constexpr float kMaxDepth = 10000.0f;
 
-/// An environment for EnvironmentParams::image; latitude-longitude, width = 2·height. Throws Error(Input).
-[[nodiscard]] std::shared_ptr<const ImageRgb> loadEnvironment(const std::string& path);
+/// An environment for EnvironmentParams::image; latitude-longitude, width = 2·height. `notes` receives what was
+/// repaired. Throws Error(Input).
+[[nodiscard]] std::shared_ptr<const ImageRgb> loadEnvironment(const std::string& path, Notes* notes = nullptr);
 
 /// Measured back sides for Scene::backDepth: planar z in metres (16-bit integers: millimetres), 0 = none, of the
 /// photograph's size or smaller. Throws Error(Input).

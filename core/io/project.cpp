@@ -165,7 +165,7 @@ Scene readProject(const std::string& path, Notes* notes, const Progress& progres
         requireMasksFit(scene);
     }
     addMissingSegments(scene);
-    if (!scene.environment.path.empty()) scene.environment.image = loadEnvironment(scene.environment.path);
+    if (!scene.environment.path.empty()) scene.environment.image = loadEnvironment(scene.environment.path, notes);
     if (!scene.backDepthPath.empty()) scene.backDepth = loadBackDepth(scene.backDepthPath, scene.photo->camera);
     return scene;
 }

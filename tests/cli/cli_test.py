@@ -253,7 +253,7 @@ class InputTest(CliTest):
         self.fails(3, ["none.png", "does not exist"], *create, self.path("none.png"))
         self.fails(3, ["none.patina", "does not exist"], "info", self.path("none.patina"))
         png(self.path("small.png"), [[1] * 10] * 10, bits=16)
-        self.fails(3, ["Depth image size (10x10) differs from colour image size (48x32)"], "create", "--color",
+        self.fails(3, ["Depth image size (10x10) differs in shape from colour image size (48x32)"], "create", "--color",
                    self.path("color.png"), "--depth", self.path("small.png"), "-o", self.path("q.patina"))
         exr = os.path.join(SAMPLES, "studio", "color.exr")
         with open(exr, "rb") as file:
@@ -403,10 +403,13 @@ class WorkTest(CliTest):
 
     def test_export_every_layer(self):
         project = self.small_project()
-        for layer in ("color", "depth", "normals", "positions", "area", "segments", "back-depth", "back-normals"):
+        for layer in ("color", "depth", "normals", "segments", "back-depth", "back-normals"):
             output = self.path("out_" + layer + ".png")
             self.assertEqual(self.run_cli("export", project, "--layer", layer, "-o", output).stdout, "")
             self.assertEqual(png_size(output), (48, 32), layer)
+        for layer in ("positions", "area"):
+            self.run_cli("export", project, "--layer", layer, "-o", self.path(layer + ".exr"))
+            self.fails(2, [".exr or .tif"], "export", project, "--layer", layer, "-o", self.path(layer + ".png"))
         for layer in ("reflected:1", "incident:segment 1", "environment", "coverage"):
             output = self.path("map.png")
             self.run_cli("export", project, "--layer", layer, "-o", output)

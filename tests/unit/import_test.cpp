@@ -512,7 +512,7 @@ TEST_F(ImportTest, AFileWithoutDepthSaysWhereItWasLookedFor) {
     const auto note = std::ranges::find_if(
         said, [](const std::string& sentence) { return sentence.find("no depth map") != std::string::npos; });
     ASSERT_NE(note, said.end());
-    for (const char* part : {"plain.jpg", "channel Z", "Google", "HEIC", "PCD", "cannot be changed"})
+    for (const char* part : {"plain.jpg", "depth channel", "Google", "HEIC", "PCD", "cannot be changed"})
         EXPECT_THAT(*note, testing::HasSubstr(part));
     core::saveProject(scene, folder / "plain.patina");
     EXPECT_EQ(core::loadProject(folder / "plain.patina").photo->depth.image(), scene.photo->depth.image());

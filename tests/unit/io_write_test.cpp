@@ -115,11 +115,18 @@ TEST_F(WriteTest, ScalarsVectorsLabels) {
     EXPECT_EQ(core::loadScalar(folder / "d.png")(1, 0), 0);
     test::expectError(ErrorKind::Usage, {"d.jpg"}, [&] { core::saveScalar(depth, folder / "d.jpg", "Z"); });
 
+    test::expectError(ErrorKind::Usage, {"far.png", "65.535", "70"},
+                      [&] { core::saveScalar(core::ImageF(1, 1, 70.0f), folder / "far.png", "Z"); });
+    EXPECT_FALSE(std::filesystem::exists(folder / "far.png"));
+    for (const char* name : {"p.png", "p.jpg", "p.hdr"})
+        test::expectError(ErrorKind::Usage, {name, "positions", ".exr or .tif"},
+                          [&] { core::savePositions(core::ImageV3(1, 1, Vector3f(0.1f, 0.2f, 0.3f)), folder / name); });
+
     core::ImageV3 normals(1, 1, Vector3f(0.6f, 0, -0.8f));
     core::saveVectors(normals, folder / "n.exr");
-    EXPECT_EQ(core::loadScalar(folder / "n.exr")(0, 0), 0.6f);
+    EXPECT_EQ(core::loadColor(folder / "n.exr")(0, 0), Vector3f(0.6f, 0, 0)) << "read as colour, -0.8 is 0";
     core::saveVectors(normals, folder / "n.png");
-    EXPECT_EQ(core::loadScalar(folder / "n.png")(0, 0), std::round(65535 * 0.8f));
+    EXPECT_NEAR(core::loadColor(folder / "n.png")(0, 0).x(), 0.8f, 1e-4f);
 
     for (const std::uint16_t label : {std::uint16_t{200}, std::uint16_t{40000}})
         for (const char* name : {"l.png", "l.tif", "l.exr"}) {

@@ -424,15 +424,45 @@ TEST_F(ProjectTest, SmallerDepthIsEnlargedWithoutBlending) {
     EXPECT_THAT(notes[0].english(), testing::HasSubstr("small.pfm"));
 }
 
-TEST_F(ProjectTest, OtherShapesAndLargerMapsAreRefused) {
+TEST_F(ProjectTest, TheCodeOfUnmeasuredDepthIsNoWall) {
+    const auto noted = [&](const std::vector<std::uint16_t>& values) {
+        OIIO::ImageSpec spec(4, 2, 1, OIIO::TypeUInt16);
+        test::writeWith("png", folder / "mm.png", spec, OIIO::TypeUInt16, values.data());
+        core::CreateOptions create = options();
+        create.depth = folder / "mm.png";
+        core::Notes notes;
+        const float last = core::createScene(create, &notes).photo->depth(3, 1);
+        std::string text;
+        for (const core::Message& note : notes) text += note.english();
+        return std::pair(last, text);
+    };
+    const auto [code, said] = noted({1000, 1100, 1200, 1300, 1000, 1100, 65535, 65535});
+    EXPECT_EQ(code, 0);
+    EXPECT_THAT(said, testing::HasSubstr("25 % of the values"));
+    const auto [measured, unsaid] = noted({1000, 1100, 1200, 1300, 1000, 60000, 65000, 65535});
+    EXPECT_FLOAT_EQ(measured, 65.535f) << "other values are as large";
+    EXPECT_THAT(unsaid, testing::Not(testing::HasSubstr("not measured")));
+    const auto [relative, guessed] = noted({0, 1100, 1200, 1300, 1000, 60000, 65000, 65535});
+    EXPECT_FLOAT_EQ(relative, 65.535f);
+    EXPECT_THAT(guessed, testing::HasSubstr("probably relative depth"));
+}
+
+TEST_F(ProjectTest, LargerMapsAreReducedAndOtherShapesRefused) {
     test::writePfm(folder / "other.pfm", 3, 2, 1, std::vector<float>(6, 1));
     core::CreateOptions create = options();
     create.depth = folder / "other.pfm";
-    test::expectError(ErrorKind::Input, {"Depth image size (3x2) differs from colour image size (4x2)", "other.pfm"},
+    test::expectError(ErrorKind::Input,
+                      {"Depth image size (3x2) differs in shape from colour image size (4x2)", "other.pfm"},
                       [&] { (void)core::createScene(create); });
-    test::writePfm(folder / "large.pfm", 8, 4, 1, std::vector<float>(32, 1));
+    std::vector<float> depth(32, 1);
+    depth[8 * 3 + 5] = 9;  // in the last row: under the photograph's pixel (2, 1)
+    test::writePfm(folder / "large.pfm", 8, 4, 1, depth);
     create.depth = folder / "large.pfm";
-    test::expectError(ErrorKind::Input, {"(8x4)", "(4x2)"}, [&] { (void)core::createScene(create); });
+    core::Notes notes;
+    const core::ImageF reduced = core::createScene(create, &notes).photo->depth;
+    for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 4; ++x) EXPECT_EQ(reduced(x, y), x == 2 && y == 1 ? 9 : 1) << "not a mixture";
+    EXPECT_THAT(notes.front().english(), testing::HasSubstr("reduced to the colour image (4x2)"));
     create = options();
     create.segments = folder / "other.pfm";
     test::expectError(ErrorKind::Input, {"Label map size (3x2)"}, [&] { (void)core::createScene(create); });

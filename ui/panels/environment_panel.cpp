@@ -13,6 +13,7 @@
 
 #include "core/io/image_io.h"
 #include "ui/background_task.h"
+#include "ui/translations.h"
 #include "ui/widgets/map_view.h"
 #include "ui/widgets/param_control.h"
 #include "ui/widgets/param_slider.h"
@@ -125,11 +126,12 @@ EnvironmentPanel::~EnvironmentPanel() = default;
 
 void EnvironmentPanel::loadEnvironment(const QString& path) {
     auto image = std::make_shared<core::ImageRgb>();
+    auto remarks = std::make_shared<core::Notes>();
     loading_ = std::make_unique<BackgroundTask>(
-        [path, image](const core::Progress&) { *image = core::loadColor(path.toStdString()); });
+        [path, image, remarks](const core::Progress&) { *image = core::loadColor(path.toStdString(), remarks.get()); });
     connect(loading_.get(), &BackgroundTask::failed, this, &EnvironmentPanel::error);
-    connect(loading_.get(), &BackgroundTask::succeeded, this, [this, path, image] {
-        emit message({});
+    connect(loading_.get(), &BackgroundTask::succeeded, this, [this, path, image, remarks] {
+        emit message(remarks->empty() ? QString() : translated(remarks->front()));
         if (image->width() != 2 * image->height()) {
             emit error(
                 tr("The environment map \"%1\" is %2x%3 pixels; a latitude-longitude map is twice as wide as high.")

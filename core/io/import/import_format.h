@@ -42,6 +42,7 @@ struct ImportedPhoto {
     float clipLevel = 1;             ///< linear value of the largest code; infinite for floating-point colour
     int orientation = 1;             ///< EXIF orientation that has been applied to `color`
     std::optional<float> focal35mm;  ///< 35 mm equivalent focal length [mm]
+    float pixelAspect = 1;           ///< width of a pixel over its height
     std::string device;              ///< maker and model of the camera; "" = not stated, or as in the picture's EXIF
     ImageF depth;                    ///< as displayed, may be smaller than `color`; empty = the file has no depth
     ImageF coverage;                 ///< [0, 1], share of each pixel of `depth` that is covered; empty = all of it
@@ -54,7 +55,7 @@ struct ImportedPhoto {
 
 /// A kind of file that holds colour and depth.
 struct ImportFormat {
-    const char* name;  ///< for messages: where the depth is, `channel Z of an EXR file`
+    const char* name;  ///< for messages: where the depth is, `depth channel of an EXR file`
     /// Decides by content. Throws Error(Input) only if the file is too damaged for that.
     bool (*recognises)(const ImportFile& file);
     /// Throws Error(Input) that names the file, what was expected and what was found.
