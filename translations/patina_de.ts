@@ -90,6 +90,10 @@
         <source>Paint over an outline to find it again in the photograph</source>
         <translation>Umriss übermalen, um ihn im Foto neu zu suchen</translation>
     </message>
+    <message>
+        <source>It needs depth, which this photograph does not have.</source>
+        <translation>Dafür ist Tiefe nötig, die diese Fotografie nicht hat.</translation>
+    </message>
 </context>
 <context>
     <name>ViewLayer</name>
@@ -1300,6 +1304,38 @@
     <message>
         <source>The depth inside &quot;%1&quot; is read as &quot;%2&quot;, although the file says that it is &quot;%3&quot;.</source>
         <translation>Die Tiefe in „%1“ wird als „%2“ gelesen, obwohl sie laut Datei „%3“ ist.</translation>
+    </message>
+    <message>
+        <source>The graphics device has too little memory for this. (%1)</source>
+        <translation>Das Grafikgerät hat dafür zu wenig Speicher. (%1)</translation>
+    </message>
+    <message>
+        <source>The graphics device no longer answers. (%1)</source>
+        <translation>Das Grafikgerät antwortet nicht mehr. (%1)</translation>
+    </message>
+    <message>
+        <source>No graphics device can be used. (%1)</source>
+        <translation>Kein Grafikgerät kann verwendet werden. (%1)</translation>
+    </message>
+    <message>
+        <source>The graphics device failed. (%1)</source>
+        <translation>Das Grafikgerät ist ausgefallen. (%1)</translation>
+    </message>
+    <message>
+        <source>%1:1: It takes too long: trying it would take more than %2 seconds on this device.</source>
+        <translation>%1:1: Dauert zu lange: ein Versuch würde auf diesem Gerät mehr als %2 Sekunden brauchen.</translation>
+    </message>
+    <message>
+        <source>%1: It could not be tried: %2</source>
+        <translation>%1: Konnte nicht ausprobiert werden: %2</translation>
+    </message>
+    <message>
+        <source>The edits use %1 measured BRDFs; this graphics device has room for %2 at a time.</source>
+        <translation>Die Bearbeitungen verwenden %1 gemessene BRDFs; auf diesem Grafikgerät ist gleichzeitig Platz für %2.</translation>
+    </message>
+    <message>
+        <source>The edits use %1 BRDFs from .brdf.glsl files, expected at most %2 at a time.</source>
+        <translation>Die Bearbeitungen verwenden %1 BRDFs aus .brdf.glsl-Dateien, möglich sind gleichzeitig höchstens %2.</translation>
     </message>
 </context>
 <context>
@@ -3280,6 +3316,10 @@
         <source>Take the colour of a surface, without its shading, by a click in the picture (Esc: cancel)</source>
         <translation>Die Farbe einer Oberfläche ohne ihre Schattierung durch einen Klick ins Bild übernehmen (Esc: abbrechen)</translation>
     </message>
+    <message>
+        <source>This photograph has no depth, so a material would change nothing. To change materials, open it again under File &gt; New from photograph and choose its depth map as &quot;Depth&quot;.</source>
+        <translation>Diese Fotografie hat keine Tiefe, deshalb würde ein Material nichts ändern. Um Materialien zu ändern, öffnen Sie sie unter Datei &gt; Neu aus Fotografie noch einmal und wählen Sie ihre Tiefenkarte als „Tiefe“.</translation>
+    </message>
 </context>
 <context>
     <name>ui::NavigateTool</name>
@@ -3616,6 +3656,25 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     <message>
         <source>Depth</source>
         <translation>Tiefe</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SceneChange</name>
+    <message>
+        <source>Please wait until the last change of the segments is made.</source>
+        <translation>Bitte warten Sie, bis die letzte Änderung der Segmente fertig ist.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Patina</source>
+        <translation>Patina</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -4009,6 +4068,14 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
         <source>Objects found: %1</source>
         <translation>Gefundene Objekte: %1</translation>
     </message>
+    <message>
+        <source>Refined: %1 pixels changed</source>
+        <translation>Verfeinert: %1 Pixel geändert</translation>
+    </message>
+    <message>
+        <source>Refined: the outline already follows the photograph</source>
+        <translation>Verfeinert: Der Umriss folgt der Fotografie schon</translation>
+    </message>
 </context>
 <context>
     <name>ui::SmartSelectTool</name>
@@ -4265,6 +4332,10 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     <message>
         <source>Paint where the parameter is to vary; Shift erases. A tool on the left ends painting.</source>
         <translation>Malen Sie, wo sich der Parameter ändern soll; Umschalt radiert. Ein Werkzeug links beendet das Malen.</translation>
+    </message>
+    <message>
+        <source>Hint and selection</source>
+        <translation>Hinweis und Auswahl</translation>
     </message>
 </context>
 <context>
