@@ -90,6 +90,10 @@
         <source>Paint over an outline to find it again in the photograph</source>
         <translation>Umriss übermalen, um ihn im Foto neu zu suchen</translation>
     </message>
+    <message>
+        <source>It needs depth, which this photograph does not have.</source>
+        <translation>Dafür ist Tiefe nötig, die diese Fotografie nicht hat.</translation>
+    </message>
 </context>
 <context>
     <name>ViewLayer</name>
@@ -1352,6 +1356,38 @@
     <message>
         <source>%1 % of the values in &quot;%2&quot; are 65535, far from all others: they count as not measured.</source>
         <translation>%1 % der Werte in „%2“ sind 65535, weit entfernt von allen anderen: Sie gelten als nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>The graphics device has too little memory for this. (%1)</source>
+        <translation>Das Grafikgerät hat dafür zu wenig Speicher. (%1)</translation>
+    </message>
+    <message>
+        <source>The graphics device no longer answers. (%1)</source>
+        <translation>Das Grafikgerät antwortet nicht mehr. (%1)</translation>
+    </message>
+    <message>
+        <source>No graphics device can be used. (%1)</source>
+        <translation>Kein Grafikgerät kann verwendet werden. (%1)</translation>
+    </message>
+    <message>
+        <source>The graphics device failed. (%1)</source>
+        <translation>Das Grafikgerät ist ausgefallen. (%1)</translation>
+    </message>
+    <message>
+        <source>%1:1: It takes too long: trying it would take more than %2 seconds on this device.</source>
+        <translation>%1:1: Dauert zu lange: ein Versuch würde auf diesem Gerät mehr als %2 Sekunden brauchen.</translation>
+    </message>
+    <message>
+        <source>%1: It could not be tried: %2</source>
+        <translation>%1: Konnte nicht ausprobiert werden: %2</translation>
+    </message>
+    <message>
+        <source>The edits use %1 measured BRDFs; this graphics device has room for %2 at a time.</source>
+        <translation>Die Bearbeitungen verwenden %1 gemessene BRDFs; auf diesem Grafikgerät ist gleichzeitig Platz für %2.</translation>
+    </message>
+    <message>
+        <source>The edits use %1 BRDFs from .brdf.glsl files, expected at most %2 at a time.</source>
+        <translation>Die Bearbeitungen verwenden %1 BRDFs aus .brdf.glsl-Dateien, möglich sind gleichzeitig höchstens %2.</translation>
     </message>
     <message>
         <source>The values of &quot;%1&quot; fill the range from 0 to %2 exactly, so this is probably relative depth, as networks give it, often with the largest value nearest. For that, give the kind &quot;inverse&quot; and a unit.</source>
@@ -3336,6 +3372,10 @@
         <source>Take the colour of a surface, without its shading, by a click in the picture (Esc: cancel)</source>
         <translation>Die Farbe einer Oberfläche ohne ihre Schattierung durch einen Klick ins Bild übernehmen (Esc: abbrechen)</translation>
     </message>
+    <message>
+        <source>This photograph has no depth, so a material would change nothing. To change materials, open it again under File &gt; New from photograph and choose its depth map as &quot;Depth&quot;.</source>
+        <translation>Diese Fotografie hat keine Tiefe, deshalb würde ein Material nichts ändern. Um Materialien zu ändern, öffnen Sie sie unter Datei &gt; Neu aus Fotografie noch einmal und wählen Sie ihre Tiefenkarte als „Tiefe“.</translation>
+    </message>
 </context>
 <context>
     <name>ui::NavigateTool</name>
@@ -3672,6 +3712,25 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     <message>
         <source>Depth</source>
         <translation>Tiefe</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SceneChange</name>
+    <message>
+        <source>Please wait until the last change of the segments is made.</source>
+        <translation>Bitte warten Sie, bis die letzte Änderung der Segmente fertig ist.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Patina</source>
+        <translation>Patina</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -4065,6 +4124,14 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
         <source>Objects found: %1</source>
         <translation>Gefundene Objekte: %1</translation>
     </message>
+    <message>
+        <source>Refined: %1 pixels changed</source>
+        <translation>Verfeinert: %1 Pixel geändert</translation>
+    </message>
+    <message>
+        <source>Refined: the outline already follows the photograph</source>
+        <translation>Verfeinert: Der Umriss folgt der Fotografie schon</translation>
+    </message>
 </context>
 <context>
     <name>ui::SmartSelectTool</name>
@@ -4321,6 +4388,10 @@ Doppelklick auf die Beschriftung setzt auf %2 zurück.</translation>
     <message>
         <source>Paint where the parameter is to vary; Shift erases. A tool on the left ends painting.</source>
         <translation>Malen Sie, wo sich der Parameter ändern soll; Umschalt radiert. Ein Werkzeug links beendet das Malen.</translation>
+    </message>
+    <message>
+        <source>Hint and selection</source>
+        <translation>Hinweis und Auswahl</translation>
     </message>
 </context>
 <context>

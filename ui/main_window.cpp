@@ -139,7 +139,7 @@ void MainWindow::makeCentral() {
 
 bool MainWindow::settled() const {
     if (task_ != nullptr || analysing_ || toolBox_->session().worker().busy() ||
-        (layerTask_ != nullptr && layerTask_->running()))
+        toolBox_->session().changingSegments() || (layerTask_ != nullptr && layerTask_->running()))
         return false;
     if (!workspace_.hasPhoto() || !canvas_->available()) return true;
     return workspace_.analysis() != nullptr && canvas_->upToDate() && canvas_->progress().finished;
@@ -389,6 +389,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         });
         return;
     }
+    rememberResult();
     writeSettings();
     event->accept();
 }

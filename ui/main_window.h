@@ -105,6 +105,11 @@ class MainWindow : public QMainWindow {
     void chooseOpen();
     void save(std::function<void()> then = {});
     void saveAs(std::function<void()> then = {});
+    /// Asks where to save, beside the photograph first; `name` is proposed.
+    void chooseFile(const QString& key, const QString& title, const QString& name, const QString& filter,
+                    std::function<void(const QString&)> use);
+    /// Keeps the picture of a project that is about to be closed, as the start page shows it.
+    void rememberResult();
     void chooseExport(const QString& title, const QString& name, const QString& filter,
                       void (MainWindow::*write)(const QString&));
     /// Runs long work with a progress dialog; one piece at a time. `failed` is called instead of showing the error;

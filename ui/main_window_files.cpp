@@ -8,6 +8,7 @@
 #include <QPointer>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QStatusBar>
 #include <algorithm>
 #include <utility>
@@ -236,15 +237,19 @@ void MainWindow::openScene(Opening opening) {
     auto loaded = std::make_shared<Loaded>();
     runTask(
         opening.title,
-        [loaded, load = std::move(opening.load), file = opening.file](const core::Progress& whole) {
+        [loaded, load = std::move(opening.load), file = opening.file,
+         isProject = !opening.path.isEmpty()](const core::Progress& whole) {
             const core::Progress progress = whole.of(core::Task::LoadPhoto);
             loaded->scene = load(&loaded->notes, progress.part(0, kLoadedEnd));
             progress.checkpoint(kLoadedEnd);
             loaded->original = makeCanvasPicture({loaded->scene.photo->color, false});
-            if (!file.isEmpty()) RecentFiles::setThumbnail(file, makeThumbnail(loaded->scene.photo->color));
+            // A project keeps the picture of its result.
+            if (!file.isEmpty() && (!isProject || RecentFiles::thumbnail(file).isNull()))
+                RecentFiles::setThumbnail(file, makeThumbnail(loaded->scene.photo->color));
             progress.checkpoint(1);
         },
         [this, loaded, path = opening.path, opened = std::move(opening.opened)] {
+            rememberResult();
             workspace_.setDocument(core::Document(std::move(loaded->scene), path.toStdString()));
             canvas_->setOriginal(loaded->original);
             refreshLayerPicture();
@@ -269,7 +274,7 @@ void MainWindow::chooseNew(const QString& colorFile) {
 
 void MainWindow::chooseOpen() {
     const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open"), {},
+        this, tr("Open"), RecentFiles::lastFolder(),
         tr("Projects and photographs (*.patina *.exr *.jpg *.jpeg *.heic *.heif *.png *.tif "
            "*.tiff *.hdr *.pfm *.pcd);;Patina projects (*.patina);;All files (*)"));
     if (!path.isEmpty()) openFile(path);
@@ -284,21 +289,43 @@ void MainWindow::save(std::function<void()> then) {
     }
 }
 
+void MainWindow::chooseFile(const QString& key, const QString& title, const QString& name, const QString& filter,
+                            std::function<void(const QString&)> use) {
+    auto* chooser = new QFileDialog(this, title, RecentFiles::folder(workspace_.document(), true), filter);
+    chooser->setObjectName(key);
+    chooser->setAttribute(Qt::WA_DeleteOnClose);
+    chooser->setAcceptMode(QFileDialog::AcceptSave);
+    const auto suffix = [chooser] {
+        return chooser->selectedNameFilter().section("*.", 1).section(QRegularExpression("[ )]"), 0, 0);
+    };
+    chooser->setDefaultSuffix(suffix());
+    connect(chooser, &QFileDialog::filterSelected, chooser, [chooser, suffix] { chooser->setDefaultSuffix(suffix()); });
+    chooser->selectFile(name);
+    connect(chooser, &QFileDialog::fileSelected, this, [use = std::move(use)](const QString& path) { use(path); });
+    chooser->open();
+}
+
 void MainWindow::saveAs(std::function<void()> then) {
-    QString path = QFileDialog::getSaveFileName(this, tr("Save as"), QStringLiteral("untitled.patina"),
-                                                tr("Patina projects (*.patina)"));
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".patina");
-    saveTo(path, std::move(then));
+    const QString name = RecentFiles::baseName(workspace_.document());
+    chooseFile(QStringLiteral("saveFile"), tr("Save as"),
+               (name.isEmpty() ? QStringLiteral("untitled") : name) + QStringLiteral(".patina"),
+               tr("Patina projects (*.patina)"), [this, then](const QString& path) { saveTo(path, then); });
+}
+
+void MainWindow::rememberResult() {
+    const core::Document& document = workspace_.document();
+    if (document.path().empty() || document.modified()) return;
+    const core::ImageRgb result = canvas_->reducedResult(kThumbnailSide);
+    if (!result.empty()) RecentFiles::setThumbnail(QString::fromStdString(document.path()), makeThumbnail(result));
 }
 
 void MainWindow::saveTo(const QString& path, std::function<void()> then) {
     const std::uint64_t generation = workspace_.generation();
     runTask(
         tr("Saving %1").arg(QFileInfo(path).fileName()),
-        [scene = workspace_.scene(), path](const core::Progress&) {
+        [scene = workspace_.scene(), result = canvas_->reducedResult(kThumbnailSide), path](const core::Progress&) {
             core::saveProject(scene, path.toStdString());
-            RecentFiles::setThumbnail(path, makeThumbnail(scene.photo->color));
+            RecentFiles::setThumbnail(path, makeThumbnail(result.empty() ? scene.photo->color.image() : result));
         },
         [this, path, generation, then = std::move(then)] {
             // Changes made during the write are not in the file.
@@ -313,11 +340,9 @@ void MainWindow::saveTo(const QString& path, std::function<void()> then) {
 
 void MainWindow::chooseExport(const QString& title, const QString& name, const QString& filter,
                               void (MainWindow::*write)(const QString&)) {
-    QString chosen;
-    QString path = QFileDialog::getSaveFileName(this, title, name, filter, &chosen);
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".") + chosen.section("*.", 1).section(')', 0, 0);
-    (this->*write)(path);
+    chooseFile(QStringLiteral("exportFile"), title,
+               RecentFiles::baseName(workspace_.document()) + QLatin1Char('-') + name, filter,
+               [this, write](const QString& path) { (this->*write)(path); });
 }
 
 void MainWindow::exportPicture(const QString& path) {

@@ -5,6 +5,7 @@
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -22,6 +23,7 @@
 
 #include "core/io/photo_loader.h"
 #include "ui/background_task.h"
+#include "ui/recent_files.h"
 #include "ui/widgets/depth_view.h"
 #include "ui/words.h"
 
@@ -239,6 +241,7 @@ QWidget* NewPhotoDialog::makeView() {
         button->setToolTip(toolTip);
         connect(button, &QToolButton::clicked, view_, [this, from] { view_->showSide(from); });
         buttons->addWidget(button);
+        viewButtons_.push_back(button);
     };
     add(QStringLiteral("newViewTurned"), tr("Turned"), tr("From the right and above"), DepthView::Side::Turned);
     add(QStringLiteral("newViewFront"), tr("Front"), tr("As the camera saw it"), DepthView::Side::Front);
@@ -272,7 +275,7 @@ QLineEdit* NewPhotoDialog::addFileRow(QFormLayout& form, const QString& key, con
     row->addWidget(browse);
     form.addRow(label, row);
     connect(browse, &QPushButton::clicked, this, [this, edit, label, filter] {
-        const QString path = QFileDialog::getOpenFileName(this, label, edit->text(), filter);
+        const QString path = QFileDialog::getOpenFileName(this, label, startOf(*edit), filter);
         if (path.isEmpty()) return;
         edit->setText(path);
         edit->setFocus();
@@ -289,6 +292,13 @@ void NewPhotoDialog::setColorFile(const QString& path) {
 void NewPhotoDialog::showProblem(const QString& sentence) {
     problem_->setText(sentence);
     problem_->show();
+}
+
+QString NewPhotoDialog::startOf(const QLineEdit& edit) const {
+    for (const QLineEdit* each : {&edit, static_cast<const QLineEdit*>(color_)})
+        if (const QString path = each->text().trimmed(); !path.isEmpty())
+            return each == &edit ? path : QFileInfo(path).absolutePath();
+    return RecentFiles::lastFolder();
 }
 
 NewPhotoDialog::Query NewPhotoDialog::query() const {
@@ -521,8 +531,13 @@ void NewPhotoDialog::showNothing(const QString& sentence) {
     found_->setText(color_->text().trimmed().isEmpty() ? QString() : sentence);
     view_->setPoints(nullptr, sentence);
     depthText_->clear();
-    for (QWidget* widget : {static_cast<QWidget*>(depthKind_), static_cast<QWidget*>(exchange_)})
+    for (QWidget* widget : {static_cast<QWidget*>(depthKind_), static_cast<QWidget*>(exchange_),
+                            static_cast<QWidget*>(depthUnit_), static_cast<QWidget*>(fieldOfView_)})
         widget->setEnabled(false);
+    for (QToolButton* button : viewButtons_) button->setEnabled(false);
+    // "0 m" would say something that nobody knows yet; an empty text would show it.
+    for (QDoubleSpinBox* box : {depthUnit_, fieldOfView_}) box->setSpecialValueText(QStringLiteral(" "));
+    depthKind_->setCurrentIndex(-1);
 }
 
 void NewPhotoDialog::showFindings(const Findings& findings) {
@@ -530,7 +545,10 @@ void NewPhotoDialog::showFindings(const Findings& findings) {
     const bool depth = findings.files != nullptr && findings.files->hasDepth();
     depthKind_->setEnabled(depth);
     exchange_->setEnabled(findings.points != nullptr);
-    depthKind_->setCurrentIndex(depthKind_->findData(static_cast<int>(findings.kind)));
+    depthUnit_->setEnabled(depth);
+    fieldOfView_->setEnabled(findings.contents.has_value());
+    for (QToolButton* button : viewButtons_) button->setEnabled(findings.points != nullptr);
+    depthKind_->setCurrentIndex(depth ? depthKind_->findData(static_cast<int>(findings.kind)) : -1);
     const std::optional<core::PhotoContents>& contents = findings.contents;
     const bool inside = contents && !contents->depthPlace.empty();
     depth_->setPlaceholderText(inside ? tr("inside the photograph") : QString());

@@ -4,6 +4,7 @@
 #include <QDialog>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/io/depth_beside.h"
 #include "core/io/photo_contents.h"
@@ -17,6 +18,7 @@ class QLineEdit;
 class QProgressBar;
 class QPushButton;
 class QTimer;
+class QToolButton;
 
 namespace ui {
 
@@ -72,6 +74,8 @@ class NewPhotoDialog : public QDialog {
     QWidget* makeMore();
     QWidget* makeView();
     [[nodiscard]] Query query() const;
+    /// Where the dialog that chooses this file starts: at the file, or beside the photograph.
+    [[nodiscard]] QString startOf(const QLineEdit& edit) const;
     /// Forgets what the user said about the photograph before.
     void colorChanged();
     void exchangeNearAndFar();
@@ -96,6 +100,7 @@ class NewPhotoDialog : public QDialog {
     QDoubleSpinBox* fieldOfView_ = nullptr;
     QLabel* found_ = nullptr;
     DepthView* view_ = nullptr;
+    std::vector<QToolButton*> viewButtons_;  ///< the sides it can be seen from
     QLabel* depthText_ = nullptr;
     QProgressBar* reading_ = nullptr;
     QLabel* problem_ = nullptr;

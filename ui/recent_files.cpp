@@ -8,6 +8,8 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "ui/canvas/display.h"
 
@@ -16,6 +18,7 @@ namespace ui {
 namespace {
 
 const char* const kFilesKey = "recentFiles";
+const char* const kFolderKey = "folder";
 const char* const kPhotosKey = "recentPhotos";
 
 QVariantMap settingsOf(const core::CreateOptions& options) {
@@ -67,6 +70,30 @@ void store(const QStringList& files) {
 
 }  // namespace
 
+QString RecentFiles::lastFolder() {
+    const QString last = QSettings().value(kFolderKey).toString();
+    if (!last.isEmpty() && QFileInfo(last).isDir()) return last;
+    const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+    return QFileInfo(pictures).isDir() ? pictures : QDir::homePath();
+}
+
+QString RecentFiles::folder(const core::Document& document, bool writable) {
+    std::vector<std::string> paths = {document.path()};
+    if (document.scene().photo != nullptr) paths.push_back(document.scene().photo->source.color);
+    for (const std::string& path : paths) {
+        if (path.empty()) continue;
+        const QFileInfo folder(QFileInfo(QString::fromStdString(path)).absolutePath());
+        if (folder.isDir() && (!writable || folder.isWritable())) return folder.filePath();
+    }
+    return lastFolder();
+}
+
+QString RecentFiles::baseName(const core::Document& document) {
+    if (!document.path().empty()) return QFileInfo(QString::fromStdString(document.path())).completeBaseName();
+    if (document.scene().photo == nullptr) return {};
+    return QFileInfo(QString::fromStdString(document.scene().photo->source.color)).completeBaseName();
+}
+
 QStringList RecentFiles::files() { return QSettings().value(kFilesKey).toStringList(); }
 
 void RecentFiles::add(const QString& path) {
@@ -75,6 +102,7 @@ void RecentFiles::add(const QString& path) {
     all.removeAll(absolute);
     all.prepend(absolute);
     store(all);
+    QSettings().setValue(kFolderKey, QFileInfo(absolute).path());
 }
 
 void RecentFiles::addPhoto(const core::CreateOptions& options) {

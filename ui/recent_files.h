@@ -8,6 +8,7 @@
 
 #include "core/base/image.h"
 #include "core/io/project.h"
+#include "core/scene/document.h"
 
 namespace ui {
 
@@ -25,12 +26,20 @@ class RecentFiles {
     static void addPhoto(const core::CreateOptions& options);
     /// Forgets a file and its picture; the file itself stays.
     static void remove(const QString& path);
+    /// Where a dialog for files starts: the folder of the document's file, of its photograph, or the one used last.
+    /// With `writable`, the first of them that can be written to.
+    [[nodiscard]] static QString folder(const core::Document& document, bool writable = false);
+    /// The folder that was used last; by default the one for pictures.
+    [[nodiscard]] static QString lastFolder();
+    /// The name of the document's photograph, or of the project, without folder and ending; "" without a photograph.
+    [[nodiscard]] static QString baseName(const core::Document& document);
+
     /// With what a photograph was opened; nullopt = `path` is a project.
     [[nodiscard]] static std::optional<core::CreateOptions> photo(const QString& path);
 
     /// The picture of a file; null = there is none.
     [[nodiscard]] static QImage thumbnail(const QString& path);
-    /// Keeps the picture of a file. From any thread. A cache that cannot be written is no error.
+    /// Keeps the picture of a file, the latest one. From any thread. A cache that cannot be written is no error.
     static void setThumbnail(const QString& path, const QImage& image);
 };
 

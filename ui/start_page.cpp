@@ -55,6 +55,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("startPage"));
     setAccessibleName(tr("Start"));
     setAutoFillBackground(true);
+    // Its width does not limit the window's, which keeps this page below the picture.
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     open_ = new QPushButton(tr("Open photo or project…"), this);
     open_->setObjectName(QStringLiteral("startOpen"));
     open_->setToolTip(tr("Photographs with depth, photographs with a depth map beside them, and projects"));
@@ -62,7 +64,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     large.setPointSizeF(large.pointSizeF() * 1.4);
     open_->setFont(large);
     const int margin = fontMetrics().height();
-    open_->setStyleSheet(QStringLiteral("QPushButton { padding: %1px %2px; }").arg(margin / 2).arg(2 * margin));
+    open_->setStyleSheet(QStringLiteral("QPushButton { padding: %1px %2px; }").arg(margin / 2).arg(margin));
     connect(open_, &QPushButton::clicked, this, &StartPage::openPressed);
     recentTitle_ = makeTitle(tr("Recent"), 1.2, this);
     recent_ = makeList(QStringLiteral("startRecent"), tr("Recent projects and photographs"));
@@ -88,9 +90,12 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     header->addStretch(1);
     header->addWidget(remove_);
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(3 * margin, 2 * margin, 3 * margin, margin);
+    layout->setContentsMargins(margin, 2 * margin, margin, margin);
     layout->setSpacing(margin / 2);
-    layout->addWidget(makeTitle(tr("Change what things in a photograph are made of"), 1.6, this), 0, Qt::AlignHCenter);
+    QLabel* title = makeTitle(tr("Change what things in a photograph are made of"), 1.6, this);
+    title->setWordWrap(true);
+    title->setAlignment(Qt::AlignCenter);
+    layout->addWidget(title);
     layout->addSpacing(margin);
     layout->addWidget(open_, 0, Qt::AlignHCenter);
     layout->addWidget(new QLabel(tr("or drop a file here"), this), 0, Qt::AlignHCenter);

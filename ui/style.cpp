@@ -38,7 +38,9 @@ void applyStyle(QApplication& application) {
     palette.setColor(QPalette::Disabled, QPalette::Highlight, grey(80));
     QApplication::setPalette(palette);
     application.setStyleSheet(
-        QStringLiteral("QToolTip { color: #dcdcdc; background: #1e1e1e; border: 1px solid #555; }"));
+        QStringLiteral("QToolTip { color: #dcdcdc; background: #1e1e1e; border: 1px solid #555; }"
+                       "QToolBar QToolButton:checked { color: white; background: #96764e; border: 1px solid #c8a26c;"
+                       " border-radius: 3px; }"));
     application.installEventFilter(new WheelGuard(&application));
 }
 

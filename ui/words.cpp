@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <new>
 
+#include "gpu/error.h"
+
 namespace ui {
 
 QString taskName(core::Task task) {
@@ -59,6 +61,25 @@ QString settingHint(core::Setting setting) {
     return {};
 }
 
+/// What is wrong, in the user's language; the details name objects of the program and stay in English.
+QString deviceFailure(const gpu::Error& error) {
+    const auto say = [&](const char* text) {
+        return QCoreApplication::translate("messages", text).arg(QString::fromUtf8(error.what()));
+    };
+    switch (error.kind()) {
+        case gpu::ErrorKind::OutOfMemory:
+            return say(QT_TRANSLATE_NOOP("messages", "The graphics device has too little memory for this. (%1)"));
+        case gpu::ErrorKind::DeviceLost:
+            return say(QT_TRANSLATE_NOOP("messages", "The graphics device no longer answers. (%1)"));
+        case gpu::ErrorKind::NoAdapter:
+            return say(QT_TRANSLATE_NOOP("messages", "No graphics device can be used. (%1)"));
+        case gpu::ErrorKind::Validation:
+        case gpu::ErrorKind::Internal:
+            break;
+    }
+    return say(QT_TRANSLATE_NOOP("messages", "The graphics device failed. (%1)"));
+}
+
 }  // namespace
 
 QString translated(const core::Message& message) {
@@ -71,6 +92,7 @@ QString translated(const core::Message& message) {
 
 QString translated(const std::exception& error) {
     if (const auto* known = dynamic_cast<const core::Error*>(&error)) return translated(known->message());
+    if (const auto* device = dynamic_cast<const gpu::Error*>(&error)) return deviceFailure(*device);
     if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
         return QCoreApplication::translate("messages", "There is not enough memory for this.");
     return QString::fromUtf8(error.what());

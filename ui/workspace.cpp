@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workspace.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/material/brdf_file.h"
@@ -12,6 +13,12 @@ namespace {
 
 std::string brdfName(const core::Material& material) {
     return material.brdfFile != nullptr ? material.brdf + ':' + material.brdfFile->path : material.brdf;
+}
+
+std::vector<std::uint16_t> labelsOf(const core::Scene& scene) {
+    std::vector<std::uint16_t> labels;
+    for (const core::Segment& segment : scene.segments) labels.push_back(segment.label);
+    return labels;
 }
 
 }  // namespace
@@ -27,6 +34,9 @@ void Workspace::setDocument(core::Document document) {
     materials_.clear();
     pickPixel(nullptr);
     selected_ = 0;
+    selectedIn_ = {{document_.state(), selected_}};
+    labels_ = labelsOf(scene());
+    hasDepth_ = hasPhoto() && std::ranges::any_of(scene().photo->depth.image().pixels(), [](float z) { return z > 0; });
     setPaintedParameter({});
     ++generation_;
     analysisGeneration_ = generation_;
@@ -39,11 +49,23 @@ void Workspace::setDocument(core::Document document) {
 void Workspace::changed(core::Stage stage) {
     ++generation_;
     if (stage <= core::Stage::Environment) analysisGeneration_ = generation_;
-    if (selected_ != 0 && scene().findSegment(selected_) == nullptr) select(0);
+    restoreSelection();
     // Another segment may get the label.
     std::erase_if(materials_, [this](const auto& kept) { return scene().findSegment(kept.first.first) == nullptr; });
     if (paintedDrive() == nullptr) setPaintedParameter({});
     emit sceneChanged(stage);
+}
+
+void Workspace::restoreSelection() {
+    std::vector<std::uint16_t> labels = labelsOf(scene());
+    const bool others = labels != labels_;
+    labels_ = std::move(labels);
+    const auto known = selectedIn_.find(document_.state());
+    if (others && known != selectedIn_.end())
+        select(known->second);
+    else if (scene().findSegment(selected_) == nullptr)
+        select(0);
+    selectedIn_[document_.state()] = selected_;
 }
 
 const core::Drive* Workspace::paintedDrive() const {
@@ -72,6 +94,7 @@ void Workspace::select(std::uint16_t label) {
     document_.endMerge();
     pickPixel(nullptr);
     selected_ = next;
+    selectedIn_[document_.state()] = next;
     setPaintedParameter({});
     emit selectionChanged(selected_);
 }

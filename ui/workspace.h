@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/analysis/analysis.h"
 #include "core/scene/brush.h"
@@ -27,6 +28,8 @@ class Workspace : public QObject {
     [[nodiscard]] const core::Document& document() const { return document_; }
     [[nodiscard]] const core::Scene& scene() const { return document_.scene(); }
     [[nodiscard]] bool hasPhoto() const { return scene().photo != nullptr; }
+    /// Whether the photograph has depth anywhere.
+    [[nodiscard]] bool hasDepth() const { return hasDepth_; }
     /// Opens another project; resets selection and analysis.
     void setDocument(core::Document document);
 
@@ -35,7 +38,8 @@ class Workspace : public QObject {
     /// Generation of the last change that made the analysis stale.
     [[nodiscard]] std::uint64_t analysisGeneration() const { return analysisGeneration_; }
 
-    /// Selected segment; 0 = none.
+    /// Selected segment; 0 = none. Undo and redo of a step that makes or removes segments select again what was
+    /// selected with the segments that come back.
     [[nodiscard]] std::uint16_t selectedLabel() const { return selected_; }
     [[nodiscard]] const core::Segment* selectedSegment() const { return scene().findSegment(selected_); }
     void select(std::uint16_t label);
@@ -83,11 +87,16 @@ class Workspace : public QObject {
 
   private:
     void changed(core::Stage stage);
+    /// Selects what was selected when the document was in this state, if its segments are others than before.
+    void restoreSelection();
 
     core::Document document_;
+    bool hasDepth_ = false;
     std::uint64_t generation_ = 1;
     std::uint64_t analysisGeneration_ = 1;
     std::uint16_t selected_ = 0;
+    std::map<std::uint64_t, std::uint16_t> selectedIn_;  ///< by state of the document
+    std::vector<std::uint16_t> labels_;                  ///< of the segments at the last change
     std::string painted_;
     core::Brush brush_;
     std::function<void(int, int)> picked_;

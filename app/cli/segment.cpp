@@ -16,26 +16,54 @@ namespace cli {
 
 namespace {
 
+/// A point that the user gave.
+struct SegmentClick {
+    bool removes = false;
+    std::string point;  ///< "X,Y"
+};
+
 struct SegmentArguments {
     std::string project;
     std::vector<std::string> add;
     std::vector<std::string> remove;
+    std::vector<SegmentClick> clicks;  ///< both, in the order they were given
     bool propose = false;
     std::string into;
     std::string output;
 };
 
-/// The pixels at points "X,Y".
-std::vector<core::Pixel> parsePixels(const std::string& option, const std::vector<std::string>& points) {
+core::Pixel parsePixel(const SegmentClick& click) {
     // Farther points lie outside every photograph.
     constexpr float kFar = 1e6f;
-    std::vector<core::Pixel> pixels;
-    for (const std::string& point : points) {
-        const std::vector<float> xy = parseNumbers(option, point, 2);
-        pixels.push_back({static_cast<int>(std::floor(std::clamp(xy[0], -kFar, kFar))),
-                          static_cast<int>(std::floor(std::clamp(xy[1], -kFar, kFar)))});
+    const std::vector<float> xy = parseNumbers(click.removes ? "--remove" : "--add", click.point, 2);
+    return {static_cast<int>(std::floor(std::clamp(xy[0], -kFar, kFar))),
+            static_cast<int>(std::floor(std::clamp(xy[1], -kFar, kFar)))};
+}
+
+/// What the clicks point at; of two on one pixel the later counts, as in the window.
+core::SelectionSeeds seedsOf(const std::vector<SegmentClick>& clicks) {
+    core::SelectionSeeds seeds;
+    for (const SegmentClick& click : clicks) {
+        const core::Pixel pixel = parsePixel(click);
+        const auto same = [&](const core::Pixel& other) { return other.x == pixel.x && other.y == pixel.y; };
+        std::erase_if(seeds.add, same);
+        std::erase_if(seeds.remove, same);
+        (click.removes ? seeds.remove : seeds.add).push_back(pixel);
     }
-    return pixels;
+    if (!clicks.empty() && seeds.add.empty())
+        throw core::Error(core::ErrorKind::Usage, "Each point of --add is taken away by a later --remove.");
+    return seeds;
+}
+
+/// The points of both options in the order of the command line.
+std::vector<SegmentClick> clicksInOrder(const CLI::App& command, const SegmentArguments& args) {
+    std::vector<SegmentClick> clicks;
+    std::size_t added = 0, removed = 0;
+    for (const CLI::Option* option : command.parse_order()) {
+        if (option->check_name("--add")) clicks.push_back({false, args.add.at(added++)});
+        if (option->check_name("--remove")) clicks.push_back({true, args.remove.at(removed++)});
+    }
+    return clicks;
 }
 
 void checkUsage(const SegmentArguments& args) {
@@ -47,7 +75,7 @@ void checkUsage(const SegmentArguments& args) {
 
 void segment(const SegmentArguments& args) {
     checkUsage(args);
-    const core::SelectionSeeds seeds{parsePixels("--add", args.add), parsePixels("--remove", args.remove)};
+    const core::SelectionSeeds seeds = seedsOf(args.clicks);
     const core::Scene scene = loadScene(args.project);
     refuseOverwritingInput(scene, args.project, args.output);
     core::requireWritable(args.output);
@@ -78,7 +106,7 @@ void addSegment(CLI::App& app, Session& session) {
     command->footer(
         "Points are pixels of the photograph, the first one is 0,0. Each --add lies on the object, each --remove "
         "beside\n"
-        "it; usually one --add is enough.\n\n"
+        "it; usually one --add is enough. Of two points on one pixel the later counts.\n\n"
         "Example:\n"
         "  patina-cli segment desk.patina --add 820,410 --into vase -o vase.png");
     command->add_option("project", args->project, "Project file")->required()->type_name("P.patina");
@@ -92,7 +120,10 @@ void addSegment(CLI::App& app, Session& session) {
     command->add_option("-o,--output", args->output, "Mask to write, 255 = selected; with --propose a label map")
         ->required()
         ->type_name("FILE");
-    command->callback([&session, args] { session.run = [args] { segment(*args); }; });
+    command->callback([&session, args, command] {
+        args->clicks = clicksInOrder(*command, *args);
+        session.run = [args] { segment(*args); };
+    });
 }
 
 }  // namespace cli

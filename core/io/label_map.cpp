@@ -2,31 +2,18 @@
 #include "core/io/label_map.h"
 
 #include <array>
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 
+#include "core/analysis/step.h"
 #include "core/io/image_io.h"
 
 namespace core {
 
-namespace {
-
-/// FNV-1a over the label map's width and labels.
-std::uint64_t labelHash(const LabelImage& labels) {
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    const auto mix = [&](std::uint64_t value) { hash = (hash ^ value) * 0x100000001b3ULL; };
-    mix(static_cast<std::uint64_t>(labels.width()));
-    for (const std::uint16_t label : labels.pixels()) mix(label);
-    return hash;
-}
-
-}  // namespace
-
 Scene withSavedLabels(const Scene& scene, const std::string& project) {
     std::array<char, 24> hash{};
     (void)std::snprintf(hash.data(), hash.size(), "%016llx",
-                        static_cast<unsigned long long>(labelHash(scene.photo->labels)));
+                        static_cast<unsigned long long>(analysis::Hash().add(scene.photo->labels).value()));
     const std::filesystem::path file(project);
     const std::filesystem::path path =
         file.parent_path() / (file.stem().string() + ".segments-" + hash.data() + ".png");

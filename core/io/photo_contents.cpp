@@ -12,11 +12,14 @@ namespace {
 
 std::optional<float> fieldOfView(int width, int height, std::optional<float> focal35mm) {
     if (!focal35mm) return std::nullopt;
-    const double focal = static_cast<double>(*focal35mm) * std::hypot(width, height) / kFilmDiagonal;
-    return static_cast<float>(2 * std::atan(0.5 * width / focal));
+    return static_cast<float>(2 * std::atan(0.5 * width / focalInPixels(*focal35mm, width, height)));
 }
 
 }  // namespace
+
+double focalInPixels(float focal35mm, double width, double height) {
+    return static_cast<double>(focal35mm) * std::hypot(width, height) / kFilmDiagonal;
+}
 
 PhotoContents contentsOf(const PhotoFiles& files) {
     PhotoContents contents;

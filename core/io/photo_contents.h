@@ -25,6 +25,10 @@ struct PhotoContents {
     bool unitStated = false;        ///< false: an assumption
 };
 
+/// Focal length [px] of a picture of this size [px] from that of a 35 mm camera with the same diagonal field of view
+/// [mm].
+[[nodiscard]] double focalInPixels(float focal35mm, double width, double height);
+
 /// What was found in files that have been read, with the depth inside the photograph or that of a separate map.
 [[nodiscard]] PhotoContents contentsOf(const PhotoFiles& files);
 

@@ -10,6 +10,7 @@
 #include "core/analysis/depth/upsample_depth.h"
 #include "core/base/statistics.h"
 #include "core/io/image_io.h"
+#include "core/io/photo_contents.h"
 #include "core/io/photo_files.h"
 
 namespace core {
@@ -96,9 +97,8 @@ Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, const st
                         .with(path, intrinsicsText(*stated)));
     }
     if (info.focal35mm) {
-        const double diagonal =
-            std::hypot(w * static_cast<double>(info.pixelAspect), h) / static_cast<double>(info.pixelAspect);
-        const auto focal = static_cast<float>(static_cast<double>(*info.focal35mm) * diagonal / kFilmDiagonal);
+        const auto aspect = static_cast<double>(info.pixelAspect);
+        const auto focal = static_cast<float>(focalInPixels(*info.focal35mm, w * aspect, h) / aspect);
         std::ostringstream text;
         text << *info.focal35mm;
         note(notes, Message("messages", "The focal length is taken from \"%1\": %2 mm (35 mm equivalent).")

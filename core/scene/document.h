@@ -20,6 +20,8 @@ class Document {
     [[nodiscard]] const Scene& scene() const { return scene_; }
     /// Grows with every change, undo and redo included; two different scenes never share a revision.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
+    /// Identifies the scene across undo and redo: the same again when a step is undone.
+    [[nodiscard]] std::uint64_t state() const { return state_; }
     [[nodiscard]] const std::string& path() const { return path_; }
     [[nodiscard]] bool modified() const;
 
@@ -55,7 +57,7 @@ class Document {
     Scene scene_;
     std::string path_;
     std::uint64_t revision_ = 1;
-    std::uint64_t state_ = 1;  ///< identifies what is saved of the scene across undo and redo
+    std::uint64_t state_ = 1;
     std::uint64_t savedState_ = 1;
     std::uint64_t lastState_ = 1;
     std::vector<Step> undo_;

@@ -74,11 +74,17 @@ void rankPieces(const std::vector<std::uint32_t>& set, SegmentPieces& pieces) {
 /// larger piece first at each distance, so ties are its.
 class SpeckOwners {
   public:
-    explicit SpeckOwners(const SegmentPieces& pieces) : owner_(pieces.pixels.size()) {
+    SpeckOwners(const SegmentPieces& pieces, const Progress& progress) : owner_(pieces.pixels.size()) {
         std::iota(owner_.begin(), owner_.end(), 0U);
         missing_ = owner_.size() - pieces.count;
         placeRuns(pieces);
-        for (std::size_t head = 0; head < queue_.size() && missing_ > 0; ++head) grow(pieces, queue_[head]);
+        constexpr std::size_t kBetweenReports = 1U << 16U;
+        for (std::size_t head = 0; head < queue_.size() && missing_ > 0; ++head) {
+            // It may end long before the whole rectangle is reached.
+            if (head % kBetweenReports == 0)
+                progress.checkpoint(static_cast<float>(head) / static_cast<float>(reached_.size()));
+            grow(pieces, queue_[head]);
+        }
     }
     /// The piece to which a piece belongs.
     [[nodiscard]] std::uint32_t operator[](std::size_t piece) const { return owner_[piece]; }
@@ -151,7 +157,7 @@ LabelTable<SegmentExtent> segmentExtents(const LabelImage& labels) {
     return extents;
 }
 
-SegmentPieces segmentPieces(const LabelImage& labels, std::uint16_t label, bool joinSpecks) {
+SegmentPieces segmentPieces(const LabelImage& labels, std::uint16_t label, bool joinSpecks, const Progress& progress) {
     SegmentPieces pieces;
     visitRuns(labels, [&](std::uint16_t found, const PixelRun& run) {
         if (found == label) pieces.runs.push_back(run);
@@ -159,7 +165,7 @@ SegmentPieces segmentPieces(const LabelImage& labels, std::uint16_t label, bool 
     CORE_ASSERT(!pieces.runs.empty(), "a segment has pixels");
     rankPieces(joinedRuns(pieces.runs), pieces);
     if (!joinSpecks || pieces.count == pieces.pixels.size()) return pieces;
-    const SpeckOwners owners(pieces);
+    const SpeckOwners owners(pieces, progress);
     for (std::size_t piece = pieces.count; piece < pieces.pixels.size(); ++piece)
         pieces.pixels[owners[piece]] += pieces.pixels[piece];
     pieces.pixels.resize(pieces.count);

@@ -7,6 +7,7 @@
 
 #include "core/base/image.h"
 #include "core/base/label_table.h"
+#include "core/base/progress.h"
 
 namespace core {
 
@@ -43,6 +44,8 @@ struct SegmentPieces {
 /// The 4-connected pieces of a label, the largest first, equal ones in reading order. A piece smaller than
 /// kSmallestPiece is a speck, unless it is the first. With `joinSpecks` specks become part of the piece nearest to them
 /// by city-block distance, of the larger one where two are as near; otherwise they stay behind the `count` others.
-[[nodiscard]] SegmentPieces segmentPieces(const LabelImage& labels, std::uint16_t label, bool joinSpecks);
+/// Throws Error(Cancelled).
+[[nodiscard]] SegmentPieces segmentPieces(const LabelImage& labels, std::uint16_t label, bool joinSpecks,
+                                          const Progress& progress = {});
 
 }  // namespace core

@@ -315,9 +315,9 @@ Scene mergeSegments(const Scene& scene, std::span<const std::uint16_t> labels, N
     return change.finish();
 }
 
-Scene splitSegment(const Scene& scene, std::uint16_t label, Notes* notes) {
+Scene splitSegment(const Scene& scene, std::uint16_t label, Notes* notes, const Progress& progress) {
     const Segment& segment = requireUnlocked(scene, label);
-    const SegmentPieces pieces = segmentPieces(scene.photo->labels, label, true);
+    const SegmentPieces pieces = segmentPieces(scene.photo->labels, label, true, progress);
     if (pieces.count == 1) refuse(Message("messages", "The segment \"%1\" is in one piece.").with(segment.name));
     std::vector<std::uint16_t> pieceLabels = requireFreeLabels(scene, pieces.count - 1);
     Relabelling change(scene, notes);

@@ -7,6 +7,7 @@
 
 #include "core/base/binary_mask.h"
 #include "core/base/message.h"
+#include "core/base/progress.h"
 #include "core/scene/scene.h"
 
 namespace core {
@@ -42,8 +43,10 @@ namespace core {
 [[nodiscard]] Scene mergeSegments(const Scene& scene, std::span<const std::uint16_t> labels, Notes* notes = nullptr);
 
 /// One segment for each 4-connected piece; specks belong to the nearest one (segmentPieces in segment_areas.h). The
-/// largest keeps label and name, the others have everything else of it. Throws Error(Usage) when it is in one piece.
-[[nodiscard]] Scene splitSegment(const Scene& scene, std::uint16_t label, Notes* notes = nullptr);
+/// largest keeps label and name, the others have everything else of it. Throws Error(Usage) when it is in one piece,
+/// and Error(Cancelled).
+[[nodiscard]] Scene splitSegment(const Scene& scene, std::uint16_t label, Notes* notes = nullptr,
+                                 const Progress& progress = {});
 
 /// Their pixels belong to no segment, and their edits are gone.
 [[nodiscard]] Scene deleteSegments(const Scene& scene, std::span<const std::uint16_t> labels, Notes* notes = nullptr);

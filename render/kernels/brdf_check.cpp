@@ -161,9 +161,11 @@ class Runner {
             seconds_ += seconds;
             const double expected = seconds_ + seconds * (total - first) / count;
             if (seconds > 4 * kDispatchSeconds ? expected > kMaxSeconds : seconds_ > kMaxSeconds)
-                throw core::Error(core::ErrorKind::Input, (file_ ? file_->path : std::string("The BRDF")) +
-                                                              ":1: It takes too long: trying it would take more than " +
-                                                              number(kMaxSeconds) + " seconds on this device.");
+                throw core::Error(core::ErrorKind::Input,
+                                  core::Message("messages",
+                                                "%1:1: It takes too long: trying it would take more than %2 seconds on "
+                                                "this device.")
+                                      .with(file_ ? file_->path : std::string("BRDF"), number(kMaxSeconds)));
             piece = static_cast<std::uint32_t>(
                 std::clamp(count * kDispatchSeconds / std::max(seconds, 1e-6), double{kFirstItems}, 8.0 * count));
         }
@@ -411,7 +413,9 @@ core::UserBrdfCheck userBrdfCheck(const std::string& deviceWish) {
             const gpu::Adapter adapter = gpu::Instance::create().requestAdapter({.device = deviceWish});
             requireSound(adapter.requestDevice({.label = "BRDF check"}), file);
         } catch (const gpu::Error& error) {
-            throw core::Error(core::ErrorKind::Input, file->path + ": It could not be tried: " + error.what());
+            throw core::Error(
+                core::ErrorKind::Input,
+                core::Message("messages", "%1: It could not be tried: %2").with(file->path, std::string(error.what())));
         }
     };
 }

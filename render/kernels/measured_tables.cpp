@@ -27,9 +27,11 @@ void MeasuredTables::requireFits(const gpu::Device& device, const MeasuredFiles&
     const std::uint64_t bytes = sizeof(float) * std::uint64_t{kernel::kMeasuredSize};
     const std::uint64_t most = device.limits().maxStorageBufferBindingSize / bytes;
     if (files.size() > most)
-        throw core::Error(core::ErrorKind::Input, "The edits use " + std::to_string(files.size()) +
-                                                      " measured BRDFs; this graphics device has room for " +
-                                                      std::to_string(most) + " at a time.");
+        throw core::Error(
+            core::ErrorKind::Input,
+            core::Message("messages",
+                          "The edits use %1 measured BRDFs; this graphics device has room for %2 at a time.")
+                .with(files.size(), most));
 }
 
 const gpu::Buffer& MeasuredTables::upload(const gpu::Device& device, const MeasuredFiles& files) {

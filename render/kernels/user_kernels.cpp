@@ -171,9 +171,10 @@ UserFiles placeUserBrdfs(const core::Scene& scene, std::span<kernel::SegmentShad
         if (found == files.end()) files.push_back(user);
     }
     if (files.size() > BRDF_USER_COUNT)
-        throw core::Error(core::ErrorKind::Input, "The edits use " + std::to_string(files.size()) +
-                                                      " BRDFs from .brdf.glsl files, expected at most " +
-                                                      std::to_string(BRDF_USER_COUNT) + " at a time.");
+        throw core::Error(
+            core::ErrorKind::Input,
+            core::Message("messages", "The edits use %1 BRDFs from .brdf.glsl files, expected at most %2 at a time.")
+                .with(files.size(), BRDF_USER_COUNT));
     return files;
 }
 

@@ -204,6 +204,12 @@ class SegmentTest(CliTest):
         with open(project) as file:
             self.assertEqual(file.read(), before)
 
+    def test_points_count_in_the_order_given(self):
+        project, mask = self.without_segments(), self.path("m.png")
+        for first, last, value in (("--remove", "--add", 255), ("--add", "--remove", 0)):
+            self.run_cli("segment", project, "--add", "20,12", first, "24,16", last, "24,16", "-o", mask)
+            self.assertEqual(self.grey(mask)[16][24], value, last)
+
     def test_into_makes_a_segment_and_keeps_the_edits(self):
         project = self.without_segments()
         self.run_cli("segment", project, "--add", "24,16", "--into", "box", "-o", self.path("m.png"))
@@ -236,7 +242,7 @@ class SegmentTest(CliTest):
         self.fails(2, ["--propose"], "segment", project, "--propose", "--add", "1,1", *out)
         for point in ("48,3", "3,32", "-1,3", "1e30,3"):
             self.fails(2, ["outside", "48x32"], "segment", project, "--add=" + point, *out)
-        self.fails(2, ["24, 16", "both"], "segment", project, "--add", "24,16", "--remove", "24.5,16.5", *out)
+        self.fails(2, ["--add", "later --remove"], "segment", project, "--add", "24,16", "--remove", "24.5,16.5", *out)
         self.fails(2, ["--add", "2 numbers"], "segment", project, "--add", "24", *out)
         self.fails(2, ["65536"], "segment", project, "--add", "24,16", "--into", "65536", *out)
         self.assertFalse(os.path.exists(self.path("m.png")))

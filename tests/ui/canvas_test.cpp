@@ -31,6 +31,7 @@
 #include "ui/canvas/canvas_window.h"
 #include "ui/canvas/display.h"
 #include "ui/main_window.h"
+#include "ui/recent_files.h"
 
 namespace {
 
@@ -402,6 +403,40 @@ TEST_F(CanvasWindowTest, StartsAgainAfterTheDeviceWasLost) {
     chooseBrdf("lambert");
     ASSERT_TRUE(test::waitUntil([&] { return !message->isVisible() && window_.settled(); }, 60000))
         << "after another edit";
+}
+
+TEST_F(CanvasWindowTest, TheStartPageShowsTheResult) {
+    open();
+    setSamples(2);
+    segmentList().setCurrentIndex(row("bowl"));
+    chooseBrdf("phong");
+    settle();
+    const QString project = folder_.filePath("edited.patina");
+    window_.saveTo(project);
+    settle();
+    const QImage small = ui::RecentFiles::thumbnail(project);
+    const QImage photograph = ui::makeThumbnail(window_.workspace().scene().photo->color);
+    ASSERT_EQ(small.size(), photograph.size());
+    EXPECT_LE(std::max(small.width(), small.height()), ui::kThumbnailSide);
+    // It differs where the bowl is, and only there.
+    const core::LabelImage& labels = window_.workspace().scene().photo->labels;
+    const std::uint16_t bowl = label("bowl");
+    double inside = 0, outside = 0, insideCount = 0, outsideCount = 0;
+    for (int y = 0; y < small.height(); ++y)
+        for (int x = 0; x < small.width(); ++x) {
+            const QColor a = small.pixelColor(x, y), b = photograph.pixelColor(x, y);
+            const double difference =
+                std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue());
+            const bool here = labels(x * labels.width() / small.width(), y * labels.height() / small.height()) == bowl;
+            (here ? inside : outside) += difference;
+            (here ? insideCount : outsideCount) += 1;
+        }
+    EXPECT_GT(inside / insideCount, 20);
+    EXPECT_LT(outside / outsideCount, 10);
+    // Opening it again does not put the photograph in its place.
+    window_.openFile(project);
+    ASSERT_TRUE(test::waitUntil([&] { return !window_.working(); }, 60000));
+    EXPECT_EQ(ui::RecentFiles::thumbnail(project), small);
 }
 
 }  // namespace

@@ -103,6 +103,7 @@ class CanvasWindowTestFirstEdit : public testing::Test {
         picture(subject, "2_selected");
         QTest::keyClick(&window_.canvas(), Qt::Key_Return);
         ++actions_;
+        ASSERT_TRUE(test::waitUntil([&] { return !window_.toolBox().session().changingSegments(); }, 20000));
         ASSERT_NE(window_.workspace().selectedSegment(), nullptr);
     }
     void makeItGlossyMetal() {

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <QAction>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -25,6 +27,7 @@
 
 #include "core/io/image_io.h"
 #include "core/io/project.h"
+#include "core/scene/segments.h"
 #include "tests/ui/support.h"
 #include "ui/main_window.h"
 #include "ui/new_photo_dialog.h"
@@ -556,6 +559,95 @@ TEST_F(Opening, TheStartPageIsReachedByKeyboard) {
     for (const char* name : {"startOpen", "startRecent", "startSamples"})
         EXPECT_TRUE(reached.contains(QString::fromUtf8(name))) << reached.join(' ').toStdString();
     for (const auto* list : page->findChildren<QListWidget*>()) EXPECT_FALSE(list->accessibleName().isEmpty());
+}
+
+TEST_F(Opening, WithoutDepthTheMaterialAndTheToolsSayWhatIsMissing) {
+    const auto makeSegment = [&] {
+        core::BinaryMask mask(64, 48);
+        mask(30, 24) = 1;
+        window_.workspace().editScene("segment",
+                                      [&](core::Scene& scene) { scene = core::withSegment(scene, mask, "card"); });
+        window_.workspace().select(1);
+    };
+    auto& hint = *test::child<QLabel>(window_, "materialHint");
+    auto& brdf = *test::child<QComboBox>(window_, "materialBrdf");
+    auto& tool = *test::child<QAction>(window_, "toolDepth");
+    auto& find = *test::child<QAction>(window_, "actionFindObjects");
+    writeColor("alone.png");
+    QTest::keyClick(openDialog("alone.png"), Qt::Key_Return);
+    waitForPhoto();
+    makeSegment();
+    EXPECT_FALSE(brdf.isEnabled());
+    EXPECT_TRUE(hint.isVisibleTo(&window_));
+    EXPECT_TRUE(hint.text().contains("no depth")) << hint.text().toStdString();
+    for (QAction* action : {&tool, &find}) {
+        EXPECT_FALSE(action->isEnabled());
+        EXPECT_TRUE(action->toolTip().contains("needs depth")) << action->toolTip().toStdString();
+    }
+    writeColor("vase.png");
+    writeDepth("vase_depth.exr");
+    window_.workspace().document().setSaved(file("alone.patina").toStdString());
+    core::CreateOptions options;
+    options.color = file("vase.png").toStdString();
+    options.depth = file("vase_depth.exr").toStdString();
+    window_.createFrom(options);
+    ASSERT_TRUE(test::waitUntil([&] { return !window_.working(); }, 20000));
+    makeSegment();
+    EXPECT_TRUE(brdf.isEnabled());
+    EXPECT_FALSE(hint.isVisibleTo(&window_));
+    for (QAction* action : {&tool, &find}) {
+        EXPECT_TRUE(action->isEnabled());
+        EXPECT_FALSE(action->toolTip().contains("needs depth"));
+    }
+}
+
+TEST_F(Opening, WhileItReadsTheDialogShowsNothingThatNobodyKnows) {
+    writeColor("vase.png");
+    writeDepth("vase_depth.exr");
+    window_.openFile(file("vase.png"));
+    auto* dialog = test::child<ui::NewPhotoDialog>(window_, "newPhotoDialog");
+    const auto boxes = {test::child<QDoubleSpinBox>(*dialog, "newDepthUnit"),
+                        test::child<QDoubleSpinBox>(*dialog, "newFieldOfView")};
+    const auto views = {test::child<QToolButton>(*dialog, "newViewTurned"),
+                        test::child<QToolButton>(*dialog, "newViewFront"),
+                        test::child<QToolButton>(*dialog, "newViewTop")};
+    for (const QDoubleSpinBox* box : boxes) {
+        EXPECT_FALSE(box->isEnabled());
+        EXPECT_EQ(box->text().trimmed(), "");
+    }
+    for (const QToolButton* button : views) EXPECT_FALSE(button->isEnabled());
+    EXPECT_EQ(test::child<QComboBox>(*dialog, "newDepthKind")->currentText(), "");
+    settle(*dialog);
+    for (const QDoubleSpinBox* box : boxes) {
+        EXPECT_TRUE(box->isEnabled());
+        EXPECT_TRUE(box->text().startsWith("automatic")) << box->text().toStdString();
+    }
+    for (const QToolButton* button : views) EXPECT_TRUE(button->isEnabled());
+    EXPECT_EQ(test::child<QComboBox>(*dialog, "newDepthKind")->currentText(), "Depth along the viewing axis");
+}
+
+TEST_F(Opening, SavingProposesThePhotographsFolderAndName) {
+    writeColor("vase.png");
+    writeDepth("vase_depth.exr");
+    QTest::keyClick(openDialog("vase.png"), Qt::Key_Return);
+    waitForPhoto();
+    test::child<QAction>(window_, "actionExportPicture")->trigger();
+    auto* picture = test::child<QFileDialog>(window_, "exportFile");
+    EXPECT_EQ(picture->directory().absolutePath(), folder_.path());
+    EXPECT_EQ(QFileInfo(picture->selectedFiles().value(0)).fileName(), "vase-edited.png");
+    picture->selectNameFilter(picture->nameFilters().at(1));
+    emit picture->filterSelected(picture->nameFilters().at(1));
+    EXPECT_EQ(picture->defaultSuffix(), "exr");
+    delete picture;
+    test::child<QAction>(window_, "actionSave")->trigger();
+    auto* project = test::child<QFileDialog>(window_, "saveFile");
+    EXPECT_EQ(project->directory().absolutePath(), folder_.path());
+    auto* name = test::child<QLineEdit>(*project, "fileNameEdit");
+    EXPECT_EQ(name->text(), "vase.patina");
+    QTest::keyClick(name, Qt::Key_Return);
+    ASSERT_TRUE(test::waitUntil([&] { return QFile::exists(file("vase.patina")) && !window_.working(); }, 20000));
+    EXPECT_EQ(window_.workspace().document().path(), file("vase.patina").toStdString());
+    EXPECT_EQ(ui::RecentFiles::lastFolder(), folder_.path());
 }
 
 }  // namespace

@@ -654,4 +654,34 @@ TEST_F(Panels, EveryParameterHasItsControl) {
         check(param, [&] { return param.get(workspace_.scene()); });
 }
 
+TEST_F(Panels, AVariationThatIsAddedIsInView) {
+    open();
+    workspace_.select(2);
+    ui::MaterialPanel panel(workspace_);
+    panel.resize(320, 420);
+    panel.show();
+    chooseBrdf(panel, "artist");
+    auto* add = test::child<QComboBox>(panel, "driveAdd");
+    for (const char* parameter : {"roughness", "albedo"}) {
+        const int index = add->findData(QString::fromUtf8(parameter));
+        if (index < 0) continue;
+        choose(*add, index);
+        QTest::qWait(50);
+        auto* source = test::child<QComboBox>(panel, (std::string("drive_") + parameter + "_source").c_str());
+        EXPECT_FALSE(source->visibleRegion().isEmpty()) << parameter;
+    }
+    // What is removed leaves no room behind.
+    auto* scroll = panel.findChild<QScrollArea*>();
+    auto* remove = test::child<QToolButton>(panel, "drive_albedo_remove");
+    const int with = scroll->verticalScrollBar()->maximum();
+    const int width = panel.minimumSizeHint().width();
+    QTest::mouseClick(remove, Qt::LeftButton);
+    QTest::qWait(50);
+    EXPECT_LT(scroll->verticalScrollBar()->maximum(), with);
+    chooseBrdf(panel, "");
+    QTest::qWait(50);
+    EXPECT_FALSE(scroll->verticalScrollBar()->isVisible());
+    EXPECT_EQ(panel.minimumSizeHint().width(), width) << "as wide as with a material";
+}
+
 }  // namespace

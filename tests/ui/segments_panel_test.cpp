@@ -18,6 +18,7 @@
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <QTemporaryDir>
+#include <QThread>
 #include <QToolButton>
 #include <QTreeView>
 #include <QUrl>
@@ -724,6 +725,49 @@ TEST(SegmentThumbnail, ShowsTheObjectAndDimsTheRest) {
     double load = 0;
     (void)getloadavg(&load, 1);
     EXPECT_LT(each, 10 * std::max(1.0, load));
+}
+
+// Hundreds of specks around two large pieces, in a photograph of 24 megapixels.
+TEST(SegmentsPanelSize, SplittingALargeSegmentLeavesTheWindowFree) {
+    auto photo = std::make_shared<core::Photo>();
+    photo->labels = core::LabelImage(6000, 4000, 0);
+    photo->color = core::ImageRgb(6000, 4000, core::Vector3f(0.3f, 0.3f, 0.3f));
+    const auto fill = [&](int x0, int y0, int w, int h) {
+        for (int y = y0; y < y0 + h; ++y)
+            for (int x = x0; x < x0 + w; ++x) photo->labels(x, y) = 1;
+    };
+    fill(500, 500, 2000, 3000);
+    fill(3500, 500, 1800, 3000);
+    for (int i = 0; i < 500; ++i) fill(2600 + (i * 37) % 800, 100 + (i * 61) % 3800, 2, 2);
+    core::Scene scene;
+    scene.photo = photo;
+    core::addMissingSegments(scene);
+    ui::Workspace workspace;
+    ui::SegmentsPanel panel(workspace);
+    panel.resize(300, 500);
+    panel.show();
+    workspace.setDocument(core::Document(scene));
+    workspace.select(1);
+    QCoreApplication::processEvents();
+    ASSERT_TRUE(test::child<QAction>(panel, "segmentSplit")->isEnabled());
+    QTest::mouseClick(test::child<QToolButton>(panel, "segmentSplitButton"), Qt::LeftButton);
+    ASSERT_TRUE(panel.actions().working());
+    qint64 longest = 0, whole = 0;
+    QElapsedTimer lap, all;
+    all.start();
+    while (panel.actions().working()) {
+        lap.start();
+        QCoreApplication::processEvents();
+        longest = std::max(longest, lap.elapsed());
+        QThread::msleep(1);
+    }
+    whole = all.elapsed();
+    std::printf("split of 24 megapixels: %lld ms, window blocked for %lld ms\n", static_cast<long long>(whole),
+                static_cast<long long>(longest));
+    EXPECT_LT(longest, whole / 2);
+    ASSERT_EQ(workspace.scene().segments.size(), 2u);
+    EXPECT_EQ(workspace.selectedLabel(), 1);
+    EXPECT_EQ(test::child<QTreeView>(panel, "segmentList")->selectionModel()->selectedRows().size(), 2);
 }
 
 }  // namespace

@@ -8,8 +8,10 @@
 #include <QComboBox>
 #include <QGuiApplication>
 #include <QLabel>
+#include <QLocale>
 #include <QSlider>
 #include <QSpinBox>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QWindow>
 #include <algorithm>
@@ -24,6 +26,7 @@
 #include "ui/main_window.h"
 #include "ui/tools/tool_box.h"
 #include "ui/tools/tool_registry.h"
+#include "ui/widgets/param_slider.h"
 
 namespace {
 
@@ -334,6 +337,11 @@ TEST_F(CanvasWindowTestTools, RefiningMovesTheOutlineToTheObject) {
     action("actionRefineSelection").trigger();
     finish();
     EXPECT_GT(overlap("vase"), before + 0.02);
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < rough.mask.size(); ++i)
+        if (rough.mask[i] != session().selected()[i]) ++moved;
+    EXPECT_EQ(window_.statusBar()->currentMessage(),
+              QStringLiteral("Refined: %1 pixels changed").arg(QLocale().toString(quint64{moved})));
     action("actionUndo").trigger();
     // By the brush, only where it was.
     choose("toolRefine");
@@ -428,6 +436,52 @@ TEST_F(CanvasWindowTestTools, EveryToolHasAButtonAKeyAndASentence) {
     const double zoom = window_.canvas().zoom();
     key(Qt::Key_Space);
     EXPECT_EQ(window_.canvas().zoom(), zoom);
+}
+
+TEST_F(CanvasWindowTestTools, RedoSelectsTheSegmentAgain) {
+    window_.workspace().select(test::labelOf(scene(), "bowl"));
+    const std::uint16_t bowl = window_.workspace().selectedLabel();
+    choose("toolLasso");
+    drag({{40, 40}, {90, 40}, {90, 90}, {40, 90}, {40, 42}});
+    key(Qt::Key_Return);
+    const std::uint16_t made = window_.workspace().selectedLabel();
+    ASSERT_NE(made, bowl);
+    ASSERT_NE(made, 0);
+    QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(scene().findSegment(made), nullptr);
+    EXPECT_EQ(window_.workspace().selectedLabel(), bowl);
+    QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(window_.workspace().selectedLabel(), made);
+}
+
+TEST_F(CanvasWindowTestTools, TheLargestBrushFollowsThePicture) {
+    const int longer = std::max(scene().photo->camera.width, scene().photo->camera.height);
+    choose("toolBrush");
+    auto* slider = test::child<ui::ParamSlider>(window_, "selectionBrushRadius");
+    const double small = std::max(500.0, longer / 2.0);
+    EXPECT_EQ(slider->spec().maximum, small);
+    auto photo = std::make_shared<core::Photo>();
+    photo->camera = core::Camera::fromHorizontalFov(4000, 20, 1.0f);
+    photo->color = core::ImageRgb(4000, 20, core::Vector3f(0.2f, 0.2f, 0.2f));
+    photo->depth = core::ImageF(4000, 20, 1.0f);
+    photo->labels = core::LabelImage(4000, 20);
+    core::Scene wide;
+    wide.photo = photo;
+    window_.workspace().setDocument(core::Document(wide));
+    choose("toolBrush");
+    EXPECT_EQ(slider->spec().maximum, 2000);
+    slider->setValue(20);
+    const double before = slider->value();
+    key(Qt::Key_BracketRight);
+    const double first = slider->value();
+    key(Qt::Key_BracketRight);
+    EXPECT_NEAR(slider->value() / first, first / before, 0.02) << "by a factor";
+    for (int i = 0; i < 60; ++i) key(Qt::Key_BracketRight);
+    EXPECT_EQ(slider->value(), 2000);
+    // Half of the way is far less than half of the size.
+    auto* bar = test::child<QSlider>(window_, "selectionBrushRadiusSlider");
+    bar->setValue(bar->maximum() / 2);
+    EXPECT_NEAR(slider->value(), std::sqrt(2000.0), 2);
 }
 
 }  // namespace

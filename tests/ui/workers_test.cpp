@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QProgressDialog>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QThread>
 #include <algorithm>
+#include <atomic>
 
+#include "core/scene/segments.h"
 #include "tests/ui/support.h"
 #include "ui/analysis_worker.h"
 #include "ui/background_task.h"
+#include "ui/scene_change.h"
 #include "ui/workspace.h"
 
 namespace {
@@ -114,6 +120,120 @@ TEST(Workspace, KnowsWhichEditsTouchTheAnalysis) {
     EXPECT_GT(workspace.generation(), opened);
     workspace.editScene("flag", [](core::Scene& scene) { scene.segments[0].glossy = true; });
     EXPECT_EQ(workspace.analysisGeneration(), workspace.generation());
+}
+
+TEST(Workspace, UndoAndRedoSelectTheSegmentsTheyBring) {
+    ui::Workspace workspace;
+    workspace.setDocument(core::Document(test::makeScene()));
+    workspace.select(1);
+    core::BinaryMask corner(32, 24);
+    corner(0, 0) = 1;
+    workspace.editScene("New segment", [&](core::Scene& scene) { scene = core::withSegment(scene, corner, "object"); });
+    const std::uint16_t made = test::labelOf(workspace.scene(), "object");
+    workspace.select(made);
+    workspace.document().undo();
+    EXPECT_EQ(workspace.selectedLabel(), 1);
+    workspace.document().redo();
+    EXPECT_EQ(workspace.selectedLabel(), made);
+    workspace.editSelected("Flag", [](core::Segment& segment) { segment.glossy = true; });
+    workspace.select(2);
+    workspace.document().undo();
+    EXPECT_EQ(workspace.selectedLabel(), 2) << "the segments stay, and so does what is selected";
+}
+
+/// A photograph whose labels are not changed at once.
+core::Scene makeLargeScene() {
+    auto photo = std::make_shared<core::Photo>();
+    photo->camera = core::Camera::fromHorizontalFov(1100, 1000, 1.0f);
+    photo->color = core::ImageRgb(1100, 1000, core::Vector3f(0.2f, 0.3f, 0.4f));
+    photo->depth = core::ImageF(1100, 1000, 2.0f);
+    photo->labels = core::LabelImage(1100, 1000, 1);
+    core::Scene scene;
+    scene.photo = photo;
+    core::addMissingSegments(scene);
+    return scene;
+}
+
+TEST(SceneChange, IsMadeInTheBackgroundAndKeepsWhatWasChangedMeanwhile) {
+    ui::Workspace workspace;
+    workspace.setDocument(core::Document(makeLargeScene()));
+    QWidget owner;
+    ui::SceneChange change(workspace, &owner);
+    std::atomic<bool> go = false;
+    std::atomic<int> rounds = 0;
+    int done = 0;
+    const auto lock = [&](core::Scene scene, core::Notes*, const core::Progress&) {
+        while (!go) QThread::msleep(1);
+        ++rounds;
+        EXPECT_NE(QThread::currentThread(), qApp->thread());
+        scene.segments[0].locked = true;
+        return scene;
+    };
+    change.run("Lock", lock, [&](const core::Scene&, const core::Notes&) { ++done; });
+    EXPECT_TRUE(change.running());
+    workspace.editScene("Rename", [](core::Scene& scene) { scene.segments[0].name = "desk"; });
+    go = true;
+    ASSERT_TRUE(test::waitUntil([&] { return !change.running() && done == 1; }, 20000));
+    EXPECT_EQ(rounds, 2);
+    EXPECT_EQ(workspace.scene().segments[0].name, "desk");
+    EXPECT_TRUE(workspace.scene().segments[0].locked);
+    workspace.document().undo();
+    EXPECT_FALSE(workspace.scene().segments[0].locked);
+    EXPECT_EQ(workspace.scene().segments[0].name, "desk");
+}
+
+TEST(SceneChange, ShowsItsProgressAndIsCancelled) {
+    ui::Workspace workspace;
+    workspace.setDocument(core::Document(makeLargeScene()));
+    QWidget owner;
+    owner.show();
+    ui::SceneChange change(workspace, &owner);
+    QStringList messages;
+    QObject::connect(&change, &ui::SceneChange::message, [&](const QString& text) { messages << text; });
+    const core::Scene before = workspace.scene();
+    change.run(
+        "Endless",
+        [](const core::Scene& scene, core::Notes*, const core::Progress& progress) {
+            for (;;) {
+                QThread::msleep(1);
+                progress.checkpoint(0.5f);
+            }
+            return scene;
+        },
+        [](const core::Scene&, const core::Notes&) { FAIL(); });
+    auto* dialog = test::child<QProgressDialog>(owner, "changeProgress");
+    ASSERT_TRUE(test::waitUntil([&] { return dialog->isVisible() && dialog->value() == 500; }, 20000));
+    change.run(
+        "Another", [](const core::Scene& scene, core::Notes*, const core::Progress&) { return scene; },
+        [](const core::Scene&, const core::Notes&) { FAIL(); });
+    EXPECT_EQ(messages.size(), 1) << "one at a time";
+    auto* cancel = dialog->findChild<QPushButton*>();
+    ASSERT_NE(cancel, nullptr);
+    QTest::mouseClick(cancel, Qt::LeftButton);
+    ASSERT_TRUE(test::waitUntil([&] { return !change.running(); }, 20000));
+    EXPECT_EQ(messages.back(), "Cancelled.");
+    EXPECT_TRUE(workspace.scene() == before);
+    EXPECT_FALSE(workspace.document().canUndo());
+}
+
+TEST(SceneChange, IsNotMadeWhenItWasCancelledTooLateToStop) {
+    ui::Workspace workspace;
+    workspace.setDocument(core::Document(makeLargeScene()));
+    QWidget owner;
+    ui::SceneChange change(workspace, &owner);
+    std::atomic<bool> go = false;
+    change.run(
+        "Lock",
+        [&go](core::Scene scene, core::Notes*, const core::Progress&) {
+            while (!go) QThread::msleep(1);
+            scene.segments[0].locked = true;
+            return scene;
+        },
+        [](const core::Scene&, const core::Notes&) { FAIL(); });
+    emit test::child<QProgressDialog>(owner, "changeProgress")->canceled();
+    go = true;
+    ASSERT_TRUE(test::waitUntil([&] { return !change.running(); }, 20000));
+    EXPECT_FALSE(workspace.scene().segments[0].locked);
 }
 
 }  // namespace

@@ -309,6 +309,11 @@ std::uint64_t Canvas::shownScene() const {
     return window_ != nullptr && window_->renderer() != nullptr ? window_->renderer()->shownScene() : 0;
 }
 
+core::ImageRgb Canvas::reducedResult(int side) const {
+    return available() && upToDate() && window_->renderer() != nullptr ? window_->renderer()->reducedResult(side)
+                                                                       : core::ImageRgb();
+}
+
 bool Canvas::upToDate() const {
     return window_ != nullptr && window_->renderer() != nullptr && window_->renderer()->upToDate();
 }

@@ -76,6 +76,9 @@ class Canvas : public QWidget {
     [[nodiscard]] render::Renderer::Progress progress() const;
     /// Whether the renderer has begun with the latest scene; `progress` then refers to that scene.
     [[nodiscard]] bool upToDate() const;
+    /// The result of the latest scene, reduced until its longer side has about 2 × `side` pixels; empty while it is not
+    /// known. Waits for the device.
+    [[nodiscard]] core::ImageRgb reducedResult(int side) const;
     /// Number of scenes set so far, and the number of the scene whose first results the last frame showed.
     [[nodiscard]] std::uint64_t sceneNumber() const;
     [[nodiscard]] std::uint64_t shownScene() const;

@@ -302,6 +302,47 @@ void CanvasRenderer::readProbe() {
                     });
 }
 
+core::ImageRgb CanvasRenderer::reducedResult(int side) {
+    core::ImageRgb reduced;
+    if (!hasResult_) return reduced;
+    attempt([&] {
+        const gpu::Texture result = renderer_->result();
+        const std::uint32_t width = result.width(), height = result.height();
+        const std::uint32_t step = std::max(1U, std::max(width, height) / static_cast<std::uint32_t>(2 * side));
+        const std::uint32_t columns = std::max(1U, width / step), rows = std::max(1U, height / step);
+        const std::uint64_t rowBytes = std::uint64_t{width} * 4 * sizeof(float);
+        const gpu::Buffer buffer =
+            device_.createBuffer({.label = "reduced result",
+                                  .size = rowBytes * rows,
+                                  .usage = gpu::BufferUsage::MapRead | gpu::BufferUsage::CopyDst});
+        const gpu::CommandEncoder encoder = device_.createCommandEncoder({.label = "reduced result"});
+        for (std::uint32_t y = 0; y < rows; ++y)
+            encoder.copyTextureToBuffer(
+                {.texture = result, .origin = {0, std::min(y * step + step / 2, height - 1), 0}},
+                {.buffer = buffer, .layout = {.offset = rowBytes * y}}, {width, 1, 1});
+        device_.queue().submit(encoder.finish());
+        bool mapped = false;
+        buffer.mapAsync(gpu::MapMode::Read, 0, gpu::kWholeSize, [&](gpu::MapAsyncStatus status, std::string_view) {
+            mapped = status == gpu::MapAsyncStatus::Success;
+        });
+        device_.waitIdle();
+        if (!mapped) return;
+        const auto* rgba = static_cast<const float*>(buffer.getConstMappedRange());
+        reduced = core::ImageRgb(static_cast<int>(columns), static_cast<int>(rows));
+        for (std::uint32_t y = 0; y < rows; ++y)
+            for (std::uint32_t x = 0; x < columns; ++x) {
+                core::Vector3f sum(0, 0, 0);
+                for (std::uint32_t u = 0; u < step; ++u) {
+                    const float* texel = rgba + (std::size_t{y} * width + x * step + u) * 4;
+                    sum += core::Vector3f(texel[0], texel[1], texel[2]);
+                }
+                reduced(static_cast<int>(x), static_cast<int>(y)) = sum / static_cast<float>(step);
+            }
+        buffer.unmap();
+    });
+    return reduced;
+}
+
 void CanvasRenderer::attempt(const std::function<void()>& work) {
     if (failed_ || !device_) return;
     try {

@@ -43,6 +43,10 @@ class CanvasRenderer : public QObject, public QVulkanWindowRenderer {
     /// Reads the result under the cursor with the next step; cursorMoved delivers the answer.
     void probeCursor();
 
+    /// The result, reduced until its longer side has about 2 × `side` pixels; empty without a result. Waits for the
+    /// device.
+    [[nodiscard]] core::ImageRgb reducedResult(int side);
+
     [[nodiscard]] render::Renderer::Progress progress() const { return progress_; }
     [[nodiscard]] const QString& deviceName() const { return deviceName_; }
 

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "core/io/image_io.h"
+#include "ui/recent_files.h"
 #include "ui/widgets/param_control.h"
 #include "ui/widgets/profile_view.h"
 #include "ui/words.h"
@@ -140,8 +141,9 @@ void BackSidePanel::refreshPreview() {
 }
 
 void BackSidePanel::chooseBackDepth() {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Measured back side"), {},
-                                                      tr("Depth maps (*.exr *.png *.tif *.tiff *.pfm);;All files (*)"));
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Measured back side"), RecentFiles::folder(workspace().document()),
+                                     tr("Depth maps (*.exr *.png *.tif *.tiff *.pfm);;All files (*)"));
     if (path.isEmpty()) return;
     try {
         auto depth = std::make_shared<core::ImageF>(core::loadScalar(path.toStdString()));

@@ -19,6 +19,8 @@
 #include "core/material/drive_parameters.h"
 #include "core/shading/segment_shading.h"
 #include "ui/background_task.h"
+#include "ui/brush_size.h"
+#include "ui/recent_files.h"
 #include "ui/widgets/color_button.h"
 #include "ui/widgets/param_slider.h"
 
@@ -102,7 +104,7 @@ void DriveList::makeBrush(QVBoxLayout* layout) {
                       .unit = tr("px"),
                       .toolTip = tr("Radius in pixels of the photograph"),
                       .minimum = 1,
-                      .maximum = 500,
+                      .maximum = static_cast<double>(kLeastMaxBrushRadius),
                       .initial = 20,
                       .logarithmic = true,
                       .decimals = 0},
@@ -192,6 +194,8 @@ void DriveList::add(const std::string& parameter) {
     workspace_.editSelected(tr("Vary %1").arg(labelOf(*info)),
                             [&](core::Segment& segment) { segment.edit->drives.push_back(drive); });
     setPainting(parameter);
+    const auto row = std::ranges::find(rows_, parameter, &Row::parameter);
+    if (row != rows_.end()) emit rowAdded(row->widget);
 }
 
 void DriveList::setPainting(const std::string& parameter) { workspace_.setPaintedParameter(parameter); }
@@ -220,8 +224,8 @@ void DriveList::chooseSource(const std::string& parameter, const QString& source
 }
 
 void DriveList::chooseImage(const std::string& parameter) {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Load mask"), {}, tr("Images (*.png *.tif *.jpg *.exr);;All files (*)"));
+    const QString path = QFileDialog::getOpenFileName(this, tr("Load mask"), RecentFiles::folder(workspace_.document()),
+                                                      tr("Images (*.png *.tif *.jpg *.exr);;All files (*)"));
     if (path.isEmpty())
         refresh();
     else
@@ -377,7 +381,12 @@ void DriveList::rebuild(const core::Material& material) {
     for (const core::Drive& drive : material.drives) wanted += drive.parameter + ' ';
     if (wanted == rowsOf_) return;
     rowsOf_ = wanted;
-    for (const Row& row : rows_) row.widget->deleteLater();
+    for (const Row& row : rows_) {
+        // Until it is deleted it would keep its place.
+        rowLayout_->removeWidget(row.widget);
+        row.widget->hide();
+        row.widget->deleteLater();
+    }
     rows_.clear();
     const QSignalBlocker block(add_);
     add_->clear();
@@ -433,6 +442,7 @@ void DriveList::refresh() {
     const core::Material* current = material();
     brush_->setVisible(current != nullptr && !workspace_.paintedParameter().empty());
     const core::Brush& brush = workspace_.brush();
+    radius_->setMaximum(static_cast<double>(maxBrushRadius(workspace_.scene())));
     radius_->setValue(static_cast<double>(brush.radius));
     hardness_->setValue(static_cast<double>(brush.hardness));
     strength_->setValue(static_cast<double>(brush.strength));

@@ -33,6 +33,8 @@ class DriveList : public QGroupBox {
   signals:
     void message(const QString& text);
     void error(const QString& sentence);
+    /// The user added a parameter; `row` has its controls.
+    void rowAdded(QWidget* row);
 
   private:
     struct Row {

@@ -13,6 +13,7 @@
 
 #include "core/io/image_io.h"
 #include "ui/background_task.h"
+#include "ui/recent_files.h"
 #include "ui/translations.h"
 #include "ui/widgets/map_view.h"
 #include "ui/widgets/param_control.h"
@@ -150,8 +151,9 @@ void EnvironmentPanel::loadEnvironment(const QString& path) {
 }
 
 void EnvironmentPanel::chooseEnvironment() {
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Load environment"), {}, tr("Environment maps (*.exr *.hdr *.png *.jpg *.tif);;All files (*)"));
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Load environment"), RecentFiles::folder(workspace().document()),
+                                     tr("Environment maps (*.exr *.hdr *.png *.jpg *.tif);;All files (*)"));
     if (!path.isEmpty()) loadEnvironment(path);
 }
 

@@ -28,6 +28,7 @@
 #include "core/material/user_brdf.h"
 #include "ui/background_task.h"
 #include "ui/panels/drive_list.h"
+#include "ui/recent_files.h"
 #include "ui/widgets/color_button.h"
 #include "ui/widgets/param_control.h"
 #include "ui/widgets/param_slider.h"
@@ -92,6 +93,13 @@ void takeCommonParts(core::Material& material, const core::Material& other) {
 MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : Panel(workspace, parent) {
     title_ = new QLabel(this);
     title_->setObjectName(QStringLiteral("materialTitle"));
+    hint_ = new QLabel(tr("This photograph has no depth, so a material would change nothing. To change materials, open "
+                          "it again under File > New from photograph and choose its depth map as \"Depth\"."),
+                       this);
+    hint_->setObjectName(QStringLiteral("materialHint"));
+    hint_->setWordWrap(true);
+    hint_->setTextFormat(Qt::PlainText);
+    hint_->setContentsMargins(0, 2, 0, 2);
     file_ = new QLabel(this);
     file_->setObjectName(QStringLiteral("materialFile"));
     file_->setWordWrap(true);
@@ -101,7 +109,11 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : Panel(work
     remove_->setObjectName(QStringLiteral("removeEdit"));
     remove_->setToolTip(tr("Show the segment as it was photographed"));
     makeBrdfChoice();
-    QWidget* scroll = makeBody();
+    scroll_ = makeBody();
+    // The panel is as wide without a material as with one.
+    QSizePolicy kept = scroll_->sizePolicy();
+    kept.setRetainSizeWhenHidden(true);
+    scroll_->setSizePolicy(kept);
 
     auto* top = new QHBoxLayout;
     top->addWidget(title_, 1);
@@ -109,9 +121,10 @@ MaterialPanel::MaterialPanel(Workspace& workspace, QWidget* parent) : Panel(work
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 4, 8);
     layout->addLayout(top);
+    layout->addWidget(hint_);
     layout->addWidget(brdf_);
     layout->addWidget(file_);
-    layout->addWidget(scroll, 1);
+    layout->addWidget(scroll_, 1);
 
     connect(remove_, &QPushButton::clicked, this, [this] { chooseBrdf({}); });
     connect(watcher_, &QFileSystemWatcher::fileChanged, this, &MaterialPanel::reloadSoon);
@@ -144,7 +157,7 @@ void MaterialPanel::makeBrdfChoice() {
             return;
         }
         const QString path = QFileDialog::getOpenFileName(
-            this, tr("Material from a file"), {},
+            this, tr("Material from a file"), RecentFiles::folder(workspace().document()),
             tr("BRDFs: GLSL, or measured in MERL's format (*.brdf.glsl *.binary);;All files (*)"));
         if (!path.isEmpty()) loadBrdf(path);
         refresh();
@@ -169,6 +182,10 @@ QWidget* MaterialPanel::makeBody() {
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setMinimumWidth(body_->minimumSizeHint().width() + 20);
+    // Its place is known after the layout.
+    connect(drives, &DriveList::rowAdded, this, [scroll](QWidget* row) {
+        QTimer::singleShot(0, row, [scroll, row] { scroll->ensureWidgetVisible(row, 0, row->height() / 4); });
+    });
     return scroll;
 }
 
@@ -606,9 +623,12 @@ void MaterialPanel::refresh() {
     title_->setText(segment != nullptr       ? QString::fromStdString(segment->name)
                     : workspace().hasPhoto() ? tr("Click a segment in the picture or in the list")
                                              : tr("No project open"));
-    brdf_->setEnabled(segment != nullptr);
+    const bool depth = workspace().hasDepth();
+    hint_->setVisible(workspace().hasPhoto() && !depth);
+    brdf_->setEnabled(segment != nullptr && depth);
+    body_->setEnabled(depth);
     remove_->setEnabled(edited);
-    body_->setVisible(edited);
+    scroll_->setVisible(edited);
     showFile(edited ? *segment->edit : core::Material());
     const QSignalBlocker blockBrdf(brdf_);
     brdf_->setCurrentIndex(edited ? brdf_->findData(QString::fromStdString(segment->edit->brdf)) : 0);

@@ -93,6 +93,7 @@ class MaterialPanel : public Panel {
     ParamSlider* addMaterialSlider(const struct ParamSpec& spec, std::function<void(core::Material&, float)> set);
 
     QLabel* title_ = nullptr;
+    QLabel* hint_ = nullptr;  ///< why a material changes nothing
     QComboBox* brdf_ = nullptr;
     QPushButton* remove_ = nullptr;
     QLabel* file_ = nullptr;
@@ -100,6 +101,7 @@ class MaterialPanel : public Panel {
     std::set<std::string> changed_;  ///< files to read again
     QString fileProblem_;            ///< why a file's latest state is not in use
     std::unique_ptr<BackgroundTask> loading_;
+    QWidget* scroll_ = nullptr;  ///< around `body_`
     QWidget* body_ = nullptr;
     QWidget* albedoRow_ = nullptr;
     ColorButton* albedo_ = nullptr;

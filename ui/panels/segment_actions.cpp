@@ -12,6 +12,7 @@
 #include "core/scene/segment_areas.h"
 #include "core/scene/segments.h"
 #include "ui/background_task.h"
+#include "ui/recent_files.h"
 #include "ui/widgets/line_icon.h"
 #include "ui/words.h"
 #include "ui/workspace.h"
@@ -33,9 +34,11 @@ std::vector<std::uint16_t> newLabels(const core::Scene& before, const core::Scen
 }  // namespace
 
 SegmentActions::SegmentActions(Workspace& workspace, QWidget* owner)
-    : QObject(owner), workspace_(workspace), owner_(owner) {
+    : QObject(owner), workspace_(workspace), owner_(owner), change_(new SceneChange(workspace, owner)) {
     makeActions();
     connect(&workspace, &Workspace::sceneChanged, this, &SegmentActions::update);
+    connect(change_, &SceneChange::message, this, &SegmentActions::message);
+    connect(change_, &SceneChange::failed, this, &SegmentActions::error);
     connect(&workspace, &Workspace::documentReplaced, this, [this] {
         task_.reset();
         notices_.clear();
@@ -171,14 +174,15 @@ QString SegmentActions::namesOf(const std::vector<std::uint16_t>& labels) const 
     return labels.size() == 1 ? nameOf(labels.front()) : tr("%1 segments").arg(labels.size());
 }
 
-bool SegmentActions::change(const QString& step, const Operation& operation, const QString& done) {
-    core::Notes notes;
-    try {
-        workspace_.editScene(step, [&](core::Scene& scene) { scene = operation(scene, &notes); });
-    } catch (const std::exception& problem) {
-        emit error(translated(problem));
-        return false;
-    }
+void SegmentActions::change(const QString& step, const SceneChange::Operation& operation, const QString& done,
+                            const Made& then) {
+    change_->run(step, operation, [this, done, then](const core::Scene& before, const core::Notes& notes) {
+        sayNotes(notes, done);
+        if (then) then(newLabels(before, workspace_.scene()));
+    });
+}
+
+void SegmentActions::sayNotes(const core::Notes& notes, const QString& done) {
     const QStringList sentences = translatedEach(notes);
     for (const QString& sentence : sentences) {
         notices_.removeAll(sentence);
@@ -188,7 +192,6 @@ bool SegmentActions::change(const QString& step, const Operation& operation, con
     notices_ = notices_.mid(std::max<qsizetype>(0, notices_.size() - kKeptNotices));
     if (!sentences.isEmpty()) emit notices(notices_);
     emit message(sentences.isEmpty() ? done : sentences.join(QLatin1Char(' ')));
-    return true;
 }
 
 void SegmentActions::setFlag(const std::vector<std::uint16_t>& labels, bool core::Segment::*flag, bool on,
@@ -231,11 +234,12 @@ void SegmentActions::rename(std::uint16_t label, const QString& name) {
 void SegmentActions::merge(const std::vector<std::uint16_t>& labels) {
     const std::uint16_t first = labels.front();
     const QString done = tr("%1 segments are one now: %2").arg(labels.size()).arg(nameOf(first));
-    if (change(
-            tr("Merge segments"),
-            [&](const core::Scene& scene, core::Notes* notes) { return core::mergeSegments(scene, labels, notes); },
-            done))
-        emit chooseWanted({first});
+    change(
+        tr("Merge segments"),
+        [labels](const core::Scene& scene, core::Notes* notes, const core::Progress&) {
+            return core::mergeSegments(scene, labels, notes);
+        },
+        done, [this, first](const std::vector<std::uint16_t>&) { emit chooseWanted({first}); });
 }
 
 void SegmentActions::renameChosen() { emit renameWanted(chosen_.front()); }
@@ -244,41 +248,41 @@ void SegmentActions::mergeChosen() { merge(std::vector(chosen_)); }
 
 void SegmentActions::duplicate() {
     const std::uint16_t label = chosen_.front();
-    const std::shared_ptr<const core::PixelSelection> selection = workspace_.scene().selection;
-    std::vector<std::uint16_t> copy;
-    if (change(
-            tr("Duplicate %1").arg(nameOf(label)),
-            [&](const core::Scene& scene, core::Notes* notes) {
-                core::Scene next = core::duplicateSegment(scene, label, selection->mask, notes);
-                copy = newLabels(scene, next);
-                next.selection = nullptr;
-                return next;
-            },
-            tr("Duplicated %1").arg(nameOf(label))))
-        emit chooseWanted(copy);
+    change(
+        tr("Duplicate %1").arg(nameOf(label)),
+        [label, selection = workspace_.scene().selection](const core::Scene& scene, core::Notes* notes,
+                                                          const core::Progress&) {
+            core::Scene next = core::duplicateSegment(scene, label, selection->mask, notes);
+            next.selection = nullptr;
+            return next;
+        },
+        tr("Duplicated %1").arg(nameOf(label)),
+        [this](const std::vector<std::uint16_t>& made) { emit chooseWanted(made); });
 }
 
 void SegmentActions::split() {
     const std::uint16_t label = chosen_.front();
-    std::vector<std::uint16_t> pieces{label};
     const QString name = nameOf(label);
-    if (!change(tr("Split %1").arg(name),
-                [&](const core::Scene& scene, core::Notes* notes) {
-                    core::Scene next = core::splitSegment(scene, label, notes);
-                    const std::vector<std::uint16_t> others = newLabels(scene, next);
-                    pieces.insert(pieces.end(), others.begin(), others.end());
-                    return next;
-                },
-                {}))
-        return;
-    emit message(tr("%1 is in %2 segments now").arg(name).arg(pieces.size()));
-    emit chooseWanted(pieces);
+    change(
+        tr("Split %1").arg(name),
+        [label](const core::Scene& scene, core::Notes* notes, const core::Progress& progress) {
+            return core::splitSegment(scene, label, notes, progress);
+        },
+        {},
+        [this, label, name](const std::vector<std::uint16_t>& made) {
+            std::vector<std::uint16_t> pieces{label};
+            pieces.insert(pieces.end(), made.begin(), made.end());
+            emit message(tr("%1 is in %2 segments now").arg(name).arg(pieces.size()));
+            emit chooseWanted(pieces);
+        });
 }
 
 void SegmentActions::remove() {
     const std::vector<std::uint16_t> labels = chosen_;
     change(tr("Delete %1").arg(namesOf(labels)),
-           [&](const core::Scene& scene, core::Notes* notes) { return core::deleteSegments(scene, labels, notes); },
+           [labels](const core::Scene& scene, core::Notes* notes, const core::Progress&) {
+               return core::deleteSegments(scene, labels, notes);
+           },
            {});
 }
 
@@ -310,7 +314,7 @@ void SegmentActions::toggleLocked() {
     setLocked(std::vector(chosen_), !std::ranges::all_of(segmentsOf(chosen_), &core::Segment::locked));
 }
 
-bool SegmentActions::working() const { return task_ != nullptr && task_->running(); }
+bool SegmentActions::working() const { return (task_ != nullptr && task_->running()) || change_->running(); }
 
 void SegmentActions::start(std::function<void(const core::Progress&)> work, const std::function<void()>& done) {
     task_ = std::make_unique<BackgroundTask>(std::move(work));
@@ -335,17 +339,16 @@ void SegmentActions::importFiles(const QStringList& paths) {
         }
     };
     start(read, [this, maps] {
-        std::vector<std::uint16_t> made;
-        const auto add = [&](const core::Scene& scene, core::Notes* notes) {
+        const auto add = [maps](const core::Scene& scene, core::Notes* notes, const core::Progress&) {
             *notes = maps->notes;
             core::Scene next = scene;
             for (const auto& [name, labels] : maps->named) next = core::withImportedSegments(next, labels, name, notes);
-            made = newLabels(scene, next);
             return next;
         };
-        if (!change(tr("Import segments"), add, {})) return;
-        if (maps->notes.empty()) emit message(tr("Imported %1").arg(namesOf(made)));
-        emit chooseWanted(made);
+        change(tr("Import segments"), add, {}, [this, maps](const std::vector<std::uint16_t>& made) {
+            if (maps->notes.empty()) emit message(tr("Imported %1").arg(namesOf(made)));
+            emit chooseWanted(made);
+        });
     });
 }
 
@@ -360,8 +363,9 @@ void SegmentActions::exportMask(const QString& path) {
 }
 
 void SegmentActions::chooseImport() {
-    auto* chooser = new QFileDialog(owner_->window(), tr("Import mask or label map"), {},
-                                    tr("Pictures (*.png *.tif *.tiff *.exr *.pfm *.pgm *.hdr);;All files (*)"));
+    auto* chooser =
+        new QFileDialog(owner_->window(), tr("Import mask or label map"), RecentFiles::folder(workspace_.document()),
+                        tr("Pictures (*.png *.tif *.tiff *.exr *.pfm *.pgm *.hdr);;All files (*)"));
     chooser->setObjectName(QStringLiteral("segmentImportFile"));
     chooser->setAttribute(Qt::WA_DeleteOnClose);
     chooser->setFileMode(QFileDialog::ExistingFiles);
@@ -372,12 +376,14 @@ void SegmentActions::chooseImport() {
 void SegmentActions::chooseMaskFile() {
     QString name = namesOf(chosen_);
     name.replace(QLatin1Char('/'), QLatin1Char('-'));
-    auto* chooser = new QFileDialog(owner_->window(), tr("Export mask"), name + QStringLiteral(".png"),
-                                    tr("PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr)"));
+    auto* chooser =
+        new QFileDialog(owner_->window(), tr("Export mask"), RecentFiles::folder(workspace_.document(), true),
+                        tr("PNG (*.png);;TIFF (*.tif);;OpenEXR (*.exr)"));
     chooser->setObjectName(QStringLiteral("segmentMaskFile"));
     chooser->setAttribute(Qt::WA_DeleteOnClose);
     chooser->setAcceptMode(QFileDialog::AcceptSave);
     chooser->setDefaultSuffix(QStringLiteral("png"));
+    chooser->selectFile(name + QStringLiteral(".png"));
     connect(chooser, &QFileDialog::fileSelected, this, &SegmentActions::exportMask);
     chooser->open();
 }

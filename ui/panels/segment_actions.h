@@ -12,6 +12,7 @@
 #include "core/base/message.h"
 #include "core/base/progress.h"
 #include "core/scene/scene.h"
+#include "ui/scene_change.h"
 
 namespace ui {
 
@@ -44,7 +45,7 @@ class SegmentActions : public QObject {
     void exportMask(const QString& path);
     /// Of the chosen segments.
     void toggleGlossy();
-    /// Whether a file is being read or written.
+    /// Whether a file is being read or written, or segments are being changed in the background.
     [[nodiscard]] bool working() const;
 
   signals:
@@ -64,9 +65,12 @@ class SegmentActions : public QObject {
     /// Whether the one chosen segment is in several pieces.
     [[nodiscard]] bool inPieces();
 
-    using Operation = std::function<core::Scene(const core::Scene&, core::Notes*)>;
-    /// Makes a step, says its notes, or `done`, or why it is not possible; returns whether it was.
-    bool change(const QString& step, const Operation& operation, const QString& done);
+    /// What is left to do after a step; `made` are the labels of the segments that are new.
+    using Made = std::function<void(const std::vector<std::uint16_t>& made)>;
+    /// Makes a step, says its notes, or `done`, then calls `then`; or says why it is not possible.
+    void change(const QString& step, const SceneChange::Operation& operation, const QString& done,
+                const Made& then = {});
+    void sayNotes(const core::Notes& notes, const QString& done);
     /// Sets a member of some segments.
     void setFlag(const std::vector<std::uint16_t>& labels, bool core::Segment::*flag, bool on, const QString& step);
     [[nodiscard]] QString nameOf(std::uint16_t label) const;
@@ -90,6 +94,7 @@ class SegmentActions : public QObject {
 
     Workspace& workspace_;
     QWidget* owner_;
+    SceneChange* change_;
     std::vector<std::uint16_t> chosen_;
     QList<QAction*> all_;
     QAction *rename_, *duplicate_, *merge_, *split_, *delete_, *selectEdited_, *selectPixels_, *glossy_, *visible_,

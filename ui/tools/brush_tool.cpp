@@ -30,8 +30,13 @@ core::BinaryMask exclusiveOr(const core::BinaryMask& a, const core::BinaryMask& 
 
 void BrushOptions::set(const core::SelectionBrush& brush) {
     brush_ = brush;
-    brush_.radius = std::clamp(brush.radius, kMinBrushRadius, kMaxBrushRadius);
+    brush_.radius = std::clamp(brush.radius, kMinBrushRadius, maximum_);
     emit changed();
+}
+
+void BrushOptions::setMaximum(float radius) {
+    maximum_ = radius;
+    set(brush_);
 }
 
 BrushTool::BrushTool(SelectionSession& session, Kind kind, BrushOptions& options, QObject* parent)
@@ -63,11 +68,12 @@ QWidget* BrushTool::makeOptions(QWidget* parent) {
                                     .unit = tr("px"),
                                     .toolTip = tr("Radius of the brush in pixels of the picture"),
                                     .minimum = 1,
-                                    .maximum = static_cast<double>(kMaxBrushRadius),
+                                    .maximum = static_cast<double>(options_.maximum()),
                                     .initial = 20,
                                     .logarithmic = true,
                                     .decimals = 1,
-                                    .lowest = static_cast<double>(kMinBrushRadius)},
+                                    .lowest = static_cast<double>(kMinBrushRadius),
+                                    .compact = true},
                                    row);
     layout->addWidget(radius);
     connect(radius, &ParamSlider::valueChanged, this, [this](double value) {
@@ -75,7 +81,10 @@ QWidget* BrushTool::makeOptions(QWidget* parent) {
         brush.radius = static_cast<float>(value);
         options_.set(brush);
     });
-    const auto show = [this, radius] { radius->setValue(static_cast<double>(options_.brush().radius)); };
+    const auto show = [this, radius] {
+        radius->setMaximum(static_cast<double>(options_.maximum()));
+        radius->setValue(static_cast<double>(options_.brush().radius));
+    };
     connect(&options_, &BrushOptions::changed, radius, show);
     show();
     if (kind_ == Kind::Refine) return row;
@@ -88,7 +97,8 @@ QWidget* BrushTool::makeOptions(QWidget* parent) {
                          .minimum = 0,
                          .maximum = 100,
                          .initial = 100,
-                         .decimals = 0},
+                         .decimals = 0,
+                         .compact = true},
                         row);
     layout->addWidget(hardness);
     connect(hardness, &ParamSlider::valueChanged, this, [this](double value) {
@@ -157,7 +167,7 @@ void BrushTool::refine(const core::BinaryMask& painted) {
     const int reach = std::clamp(static_cast<int>(std::lround(kRefineReach * options_.brush().radius)), kMinRefineReach,
                                  kMaxRefineReach);
     session().preview(nullptr);
-    session().change(tr("Refine edge"),
+    session().refine(tr("Refine edge"),
                      [painted, reach](const core::Selector& selector, const core::BinaryMask& selected,
                                       const core::Progress& progress) {
                          core::BinaryMask refined = selector.refine(selected, reach, progress);

@@ -5,9 +5,12 @@
 #include <optional>
 
 #include "core/selection/selection_stroke.h"
+#include "ui/brush_size.h"
 #include "ui/tools/tool.h"
 
 namespace ui {
+
+inline constexpr float kMinBrushRadius = 0.5f;
 
 /// Size and behaviour of the brushes, which all of them share.
 class BrushOptions : public QObject {
@@ -16,16 +19,17 @@ class BrushOptions : public QObject {
     using QObject::QObject;
     [[nodiscard]] const core::SelectionBrush& brush() const { return brush_; }
     void set(const core::SelectionBrush& brush);
+    /// Largest radius [px].
+    [[nodiscard]] float maximum() const { return maximum_; }
+    void setMaximum(float radius);
 
   signals:
     void changed();
 
   private:
     core::SelectionBrush brush_;
+    float maximum_ = kLeastMaxBrushRadius;
 };
-
-inline constexpr float kMinBrushRadius = 0.5f;
-inline constexpr float kMaxBrushRadius = 500;
 
 /// Paints the selection, or erases it. Alt does the opposite.
 class BrushTool : public Tool {

@@ -40,7 +40,8 @@ QWidget* DepthTool::makeOptions(QWidget* parent) {
                                        .maximum = 50,
                                        .initial = static_cast<double>(wanted_.tolerance) * 100,
                                        .logarithmic = true,
-                                       .decimals = 1},
+                                       .decimals = 1,
+                                       .compact = true},
                                       row);
     tolerance->setValue(static_cast<double>(wanted_.tolerance) * 100);
     connect(tolerance, &ParamSlider::valueChanged, this,
@@ -53,7 +54,8 @@ QWidget* DepthTool::makeOptions(QWidget* parent) {
                                       .minimum = 0,
                                       .maximum = 20,
                                       .initial = 0,
-                                      .decimals = 0},
+                                      .decimals = 0,
+                                      .compact = true},
                                      row);
     connect(softness, &ParamSlider::valueChanged, this, [this](double value) { smoothing_ = static_cast<int>(value); });
     layout->addWidget(softness);

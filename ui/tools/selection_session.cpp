@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/selection_session.h"
 
+#include <QLocale>
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -20,18 +21,17 @@ bool anySelected(const core::BinaryMask& mask) {
 }  // namespace
 
 SelectionSession::SelectionSession(Workspace& workspace, Canvas& canvas, QObject* parent)
-    : QObject(parent), workspace_(workspace), canvas_(canvas) {
+    : QObject(parent), workspace_(workspace), canvas_(canvas), change_(new SceneChange(workspace, &canvas)) {
     connect(&workspace, &Workspace::documentReplaced, this, &SelectionSession::followDocument);
     connect(&workspace, &Workspace::sceneChanged, this, &SelectionSession::followScene);
     connect(&workspace, &Workspace::selectionChanged, this, &SelectionSession::changed);
+    connect(change_, &SceneChange::message, this, &SelectionSession::message);
+    connect(change_, &SceneChange::failed, this, &SelectionSession::error);
     connect(&worker_, &SelectionWorker::failed, this, &SelectionSession::error);
 }
 
 void SelectionSession::followDocument() {
-    const std::shared_ptr<const core::Photo>& opened = photo();
-    hasDepth_ =
-        opened != nullptr && std::ranges::any_of(std::as_const(opened->depth).pixels(), [](float z) { return z > 0; });
-    worker_.setPhoto(opened);
+    worker_.setPhoto(photo());
     shown_.reset();
     preview(nullptr);
     emit changed();
@@ -92,18 +92,34 @@ void SelectionSession::apply(const QString& label, const core::BinaryMask& mask,
 }
 
 void SelectionSession::change(const QString& label, Operation operation) {
+    change(label, std::move(operation), [](std::size_t) {});
+}
+
+void SelectionSession::refine(const QString& label, Operation operation) {
+    change(label, std::move(operation), [this](std::size_t changed) {
+        emit message(changed > 0 ? tr("Refined: %1 pixels changed").arg(QLocale().toString(quint64{changed}))
+                                 : tr("Refined: the outline already follows the photograph"));
+    });
+}
+
+void SelectionSession::change(const QString& label, Operation operation,
+                              const std::function<void(std::size_t changed)>& done) {
     const auto before = selection();
     if (before == nullptr) return;
     const auto result = std::make_shared<core::BinaryMask>();
     worker_.change([before, result, operation = std::move(operation)](
                        const core::Selector& selector,
                        const core::Progress& progress) { *result = operation(selector, before->mask, progress); },
-                   [this, before, result, label] {
+                   [this, before, result, label, done] {
                        // Something else was selected meanwhile.
                        if (selection() != before) return;
+                       std::size_t changed = 0;
+                       for (std::size_t i = 0; i < result->size(); ++i)
+                           if ((*result)[i] != before->mask[i]) ++changed;
                        core::PixelSelection next;
                        next.mask = std::move(*result);
                        replace(label, std::move(next));
+                       done(changed);
                    });
 }
 
@@ -119,19 +135,21 @@ void SelectionSession::selectAll() {
     replace(tr("Select all"), std::move(all));
 }
 
-void SelectionSession::changeScene(const QString& step, const SceneChange& change, const std::string& segment) {
-    try {
-        core::Notes notes;
-        core::Scene changed = change(workspace_.scene(), &notes);
-        changed.selection.reset();
-        const core::Segment* current = changed.findSegment(segment);
-        const std::uint16_t label = current != nullptr ? current->label : std::uint16_t{0};
-        workspace_.editScene(step, [&](core::Scene& scene) { scene = std::move(changed); });
-        workspace_.select(label);
-        if (!notes.empty()) emit message(translatedEach(notes).join(QLatin1Char(' ')));
-    } catch (const core::Error& problem) {
-        emit error(translated(problem));
-    }
+void SelectionSession::changeScene(const QString& step, const SceneChange::Operation& change,
+                                   const std::string& segment) {
+    change_->run(
+        step,
+        [change](const core::Scene& scene, core::Notes* notes, const core::Progress& progress) {
+            core::Scene changed = change(scene, notes, progress);
+            changed.selection.reset();
+            return changed;
+        },
+        [this, segment](const core::Scene&, const core::Notes& notes) {
+            core::Scene found = workspace_.scene();
+            const core::Segment* current = found.findSegment(segment);
+            workspace_.select(current != nullptr ? current->label : std::uint16_t{0});
+            if (!notes.empty()) emit message(translatedEach(notes).join(QLatin1Char(' ')));
+        });
 }
 
 void SelectionSession::makeSegment() {
@@ -152,8 +170,8 @@ void SelectionSession::makeSegment() {
     while (taken()) ++number;
     changeScene(
         tr("New segment"),
-        [&](const core::Scene& scene, core::Notes* notes) {
-            return core::withSegment(scene, selected(), name(), notes);
+        [selected = selection(), name = name()](const core::Scene& scene, core::Notes* notes, const core::Progress&) {
+            return core::withSegment(scene, selected->mask, name, notes);
         },
         name());
 }
@@ -167,8 +185,9 @@ void SelectionSession::changeSegment(core::MaskUse use) {
                                                           : tr("Intersect with %1").arg(name);
     changeScene(
         step,
-        [&, label = segment->label](const core::Scene& scene, core::Notes* notes) {
-            return core::combineSegment(scene, label, selected(), use, notes);
+        [use, selected = selection(), label = segment->label](const core::Scene& scene, core::Notes* notes,
+                                                              const core::Progress&) {
+            return core::combineSegment(scene, label, selected->mask, use, notes);
         },
         segment->name);
 }
@@ -179,18 +198,23 @@ void SelectionSession::findObjects() {
     worker_.change([objects](const core::Selector& selector,
                              const core::Progress& progress) { *objects = selector.propose(progress); },
                    [this, objects] {
-                       try {
-                           core::Notes notes;
-                           core::Scene changed =
-                               core::withSegments(workspace_.scene(), *objects, &notes, tr("object").toStdString());
-                           const std::size_t found = changed.segments.size() - workspace_.scene().segments.size();
-                           if (found > 0)
-                               workspace_.editScene(tr("Find objects"), [&](core::Scene& scene) { scene = changed; });
-                           notes.empty() ? emit message(tr("Objects found: %1").arg(found))
-                                         : emit message(translatedEach(notes).join(QLatin1Char(' ')));
-                       } catch (const core::Error& problem) {
-                           emit message(translated(problem));
-                       }
+                       change_->run(
+                           tr("Find objects"),
+                           [objects, name = tr("object").toStdString()](const core::Scene& scene, core::Notes* notes,
+                                                                        const core::Progress&) {
+                               try {
+                                   return core::withSegments(scene, *objects, notes, name);
+                               } catch (const core::Error& problem) {
+                                   // That there is none is no failure.
+                                   notes->push_back(problem.message());
+                                   return scene;
+                               }
+                           },
+                           [this](const core::Scene& before, const core::Notes& notes) {
+                               const std::size_t found = workspace_.scene().segments.size() - before.segments.size();
+                               emit message(notes.empty() ? tr("Objects found: %1").arg(found)
+                                                          : translatedEach(notes).join(QLatin1Char(' ')));
+                           });
                    });
 }
 

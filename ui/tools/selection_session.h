@@ -6,6 +6,7 @@
 
 #include "core/base/binary_mask.h"
 #include "ui/canvas/canvas.h"
+#include "ui/scene_change.h"
 #include "ui/tools/selection_worker.h"
 #include "ui/workspace.h"
 
@@ -21,9 +22,11 @@ class SelectionSession : public QObject {
     [[nodiscard]] Workspace& workspace() const { return workspace_; }
     [[nodiscard]] Canvas& canvas() const { return canvas_; }
     [[nodiscard]] SelectionWorker& worker() { return worker_; }
+    /// Whether segments are being changed in the background.
+    [[nodiscard]] bool changingSegments() const { return change_->running(); }
     /// nullptr: no photograph is open.
     [[nodiscard]] const std::shared_ptr<const core::Photo>& photo() const { return workspace_.scene().photo; }
-    [[nodiscard]] bool hasDepth() const { return hasDepth_; }
+    [[nodiscard]] bool hasDepth() const { return workspace_.hasDepth(); }
     /// nullptr: nothing is selected.
     [[nodiscard]] const std::shared_ptr<const core::PixelSelection>& selection() const {
         return workspace_.scene().selection;
@@ -50,6 +53,8 @@ class SelectionSession : public QObject {
     using Operation =
         std::function<core::BinaryMask(const core::Selector&, const core::BinaryMask& selected, const core::Progress&)>;
     void change(const QString& label, Operation operation);
+    /// The same, and says how many pixels it changed.
+    void refine(const QString& label, Operation operation);
     void clear();
     void selectAll();
 
@@ -67,19 +72,19 @@ class SelectionSession : public QObject {
     void error(const QString& sentence);
 
   private:
+    void change(const QString& label, Operation operation, const std::function<void(std::size_t changed)>& done);
     void followScene();
     void followDocument();
-    using SceneChange = std::function<core::Scene(const core::Scene&, core::Notes*)>;
     /// One undo step after which nothing is selected and `segment` is current.
-    void changeScene(const QString& step, const SceneChange& change, const std::string& segment);
+    void changeScene(const QString& step, const SceneChange::Operation& change, const std::string& segment);
 
     Workspace& workspace_;
     Canvas& canvas_;
     SelectionWorker worker_;
+    SceneChange* change_;
     std::shared_ptr<const core::PixelSelection> shown_;
     core::MaskUse use_ = core::MaskUse::Replace;
     int width_ = 3;
-    bool hasDepth_ = false;
 };
 
 }  // namespace ui

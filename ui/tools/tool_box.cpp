@@ -3,12 +3,14 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QCoreApplication>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
+#include <QPainter>
 #include <QSpinBox>
 #include <QToolBar>
 #include <QToolButton>
@@ -16,6 +18,7 @@
 
 #include "core/selection/mask_operations.h"
 #include "ui/action.h"
+#include "ui/brush_size.h"
 #include "ui/tools/tool_registry.h"
 
 namespace ui {
@@ -27,7 +30,11 @@ constexpr std::size_t kSmartSelect = 1;
 constexpr float kBrushStep = 1.2f;
 constexpr int kMaxWidth = 200;
 
-/// A sentence that takes the room there is.
+QString missingDepth() {
+    return QCoreApplication::translate("ToolRegistry", "It needs depth, which this photograph does not have.");
+}
+
+/// A sentence that takes the room there is, and ends in "…" where that is too little.
 class HintLabel : public QLabel {
   public:
     explicit HintLabel(QWidget* parent) : QLabel(parent) {
@@ -35,6 +42,14 @@ class HintLabel : public QLabel {
     }
     [[nodiscard]] QSize sizeHint() const override { return minimumSizeHint(); }
     [[nodiscard]] QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
+
+  protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        QPainter painter(this);
+        const QRect place = contentsRect();
+        painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter,
+                         fontMetrics().elidedText(text(), Qt::ElideRight, place.width()));
+    }
 };
 
 }  // namespace
@@ -103,9 +118,7 @@ void ToolBox::fillMenu(QMenu& menu) {
         QAction* action = makeAction(this, QString::fromUtf8(entry.key), entry.translatedTitle(),
                                      QKeySequence(QString::fromUtf8(entry.shortcut)), entry.translatedHelp(),
                                      [this, i] { activate(i); });
-        action->setToolTip(
-            QStringLiteral("<b>%1</b> (%2)<br>%3")
-                .arg(entry.translatedTitle(), QString::fromUtf8(entry.shortcut), entry.translatedHelp()));
+        action->setToolTip(toolTipOf(i));
         action->setCheckable(true);
         action->setIcon(entry.icon(color));
         buttons_->addAction(action);
@@ -114,16 +127,27 @@ void ToolBox::fillMenu(QMenu& menu) {
     buttons_->actions().front()->setChecked(true);
 }
 
+QString ToolBox::toolTipOf(std::size_t index) const {
+    const ToolEntry& entry = toolRegistry()[index];
+    const bool missing = entry.needsDepth && workspace_.hasPhoto() && !session_.hasDepth();
+    return QStringLiteral("<b>%1</b> (%2)<br>%3")
+               .arg(entry.translatedTitle(), QString::fromUtf8(entry.shortcut), entry.translatedHelp()) +
+           (missing ? QStringLiteral("<br>") + missingDepth() : QString());
+}
+
 QAction* ToolBox::addOperation(QMenu& menu, const QString& key, const QString& text, const QKeySequence& shortcut,
-                               const QString& help, Operation operation) {
+                               const QString& help, Operation operation, bool refines) {
     QString name = text;
     name.remove(QLatin1Char('&'));
-    QAction* action = makeAction(this, key, text, shortcut, help, [this, name, operation = std::move(operation)] {
-        session_.change(name,
-                        [operation, width = session_.width()](
-                            const core::Selector& selector, const core::BinaryMask& selected,
-                            const core::Progress& progress) { return operation(selector, selected, width, progress); });
-    });
+    QAction* action =
+        makeAction(this, key, text, shortcut, help, [this, name, refines, operation = std::move(operation)] {
+            const SelectionSession::Operation change =
+                [operation, width = session_.width()](const core::Selector& selector, const core::BinaryMask& selected,
+                                                      const core::Progress& progress) {
+                    return operation(selector, selected, width, progress);
+                };
+            refines ? session_.refine(name, change) : session_.change(name, change);
+        });
     menu.addAction(action);
     operations_.push_back(action);
     return action;
@@ -154,12 +178,13 @@ void ToolBox::fillOperations(QMenu& menu) {
                  [](const Selector&, const BinaryMask& mask, int width, const Progress&) {
                      return core::smoothMask(mask, width);
                  });
-    addOperation(menu, "actionRefineSelection", tr("&Refine whole edge"),
-                 QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R),
-                 tr("Find the outline again in the photograph, at most the width in the bar above the picture away"),
-                 [](const Selector& selector, const BinaryMask& mask, int width, const Progress& progress) {
-                     return selector.refine(mask, width, progress);
-                 });
+    addOperation(
+        menu, "actionRefineSelection", tr("&Refine whole edge"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R),
+        tr("Find the outline again in the photograph, at most the width in the bar above the picture away"),
+        [](const Selector& selector, const BinaryMask& mask, int width, const Progress& progress) {
+            return selector.refine(mask, width, progress);
+        },
+        true);
 }
 
 void ToolBox::fillSegmentActions(QMenu& menu) {
@@ -227,16 +252,31 @@ void ToolBox::addBars(QMainWindow& window) {
     auto* optionBar = new QToolBar(tr("Tool options"), &window);
     optionBar->setObjectName(QStringLiteral("toolOptions"));
     optionBar->setMovable(false);
+    name_ = new QLabel(optionBar);
+    name_->setObjectName(QStringLiteral("toolName"));
+    name_->setContentsMargins(8, 0, 8, 0);
+    optionBar->addWidget(name_);
     for (Tool* each : tools_) {
         QWidget* row = each->makeOptions(optionBar);
         options_.push_back(row != nullptr ? optionBar->addWidget(row) : nullptr);
     }
     addUses(*optionBar);
-    hint_ = new HintLabel(optionBar);
+    window.addToolBarBreak();
+    window.addToolBar(optionBar);
+    window.addToolBarBreak();
+    window.addToolBar(makeHintBar(window));
+    activate(kNavigate);
+}
+
+QToolBar* ToolBox::makeHintBar(QMainWindow& window) {
+    auto* bar = new QToolBar(tr("Hint and selection"), &window);
+    bar->setObjectName(QStringLiteral("toolHints"));
+    bar->setMovable(false);
+    hint_ = new HintLabel(bar);
     hint_->setObjectName(QStringLiteral("toolHint"));
     hint_->setContentsMargins(8, 0, 8, 0);
-    optionBar->addWidget(hint_);
-    auto* width = new QSpinBox(optionBar);
+    bar->addWidget(hint_);
+    auto* width = new QSpinBox(bar);
     width->setObjectName(QStringLiteral("selectionWidth"));
     width->setAccessibleName(tr("Width for growing, shrinking and smoothing"));
     width->setToolTip(tr("By how many pixels Grow, Shrink, Smooth and Refine whole edge change the outline"));
@@ -244,13 +284,11 @@ void ToolBox::addBars(QMainWindow& window) {
     width->setSuffix(tr(" px"));
     width->setValue(session_.width());
     connect(width, &QSpinBox::valueChanged, this, [this](int value) { session_.setWidth(value); });
-    optionBar->addWidget(width);
-    for (QAction* action : barOperations_) optionBar->addAction(action);
-    optionBar->addAction(clear_);
-    optionBar->addAction(makeSegment_);
-    window.addToolBarBreak();
-    window.addToolBar(optionBar);
-    activate(kNavigate);
+    bar->addWidget(width);
+    for (QAction* action : barOperations_) bar->addAction(action);
+    bar->addAction(clear_);
+    bar->addAction(makeSegment_);
+    return bar;
 }
 
 void ToolBox::choose(const QString& key) {
@@ -277,6 +315,7 @@ void ToolBox::activate(std::size_t index) {
 }
 
 void ToolBox::followDocument() {
+    brush_.setMaximum(maxBrushRadius(workspace_.scene()));
     if (buttons_ == nullptr) return;
     const bool nothingToEdit = workspace_.hasPhoto() && workspace_.scene().segments.empty();
     activate(nothingToEdit ? kSmartSelect : kNavigate);
@@ -289,13 +328,20 @@ void ToolBox::refresh() {
     selectAll_->setEnabled(photo);
     clear_->setEnabled(selected);
     findObjects_->setEnabled(photo && session_.hasDepth());
+    findObjects_->setToolTip(photo && !session_.hasDepth()
+                                 ? findObjects_->statusTip() + QStringLiteral(". ") + missingDepth()
+                                 : findObjects_->statusTip());
     for (QAction* action : operations_) action->setEnabled(selected);
     for (QAction* action : segmentChanges_) action->setEnabled(selected && workspace_.selectedSegment() != nullptr);
-    for (std::size_t i = 0; i < tools_.size(); ++i)
-        buttons_->actions()
-            .at(static_cast<qsizetype>(i))
-            ->setEnabled(photo && (!toolRegistry()[i].needsDepth || session_.hasDepth()));
+    for (std::size_t i = 0; i < tools_.size(); ++i) {
+        QAction* button = buttons_->actions().at(static_cast<qsizetype>(i));
+        button->setEnabled(photo && (!toolRegistry()[i].needsDepth || session_.hasDepth()));
+        button->setToolTip(toolTipOf(i));
+    }
     usesPlace_->setVisible(tool().drawsShapes());
+    // The controls of the other tools need the room.
+    const bool options = options_[active_] != nullptr;
+    name_->setText(options ? QString() : toolRegistry()[active_].translatedTitle());
     for (QAction* action : uses_->actions())
         action->setChecked(action->data().toInt() == static_cast<int>(session_.use()));
     hint_->setText(!photo                                 ? tr("Open a photograph or a project to begin.")
@@ -342,9 +388,9 @@ bool ToolBox::pressKey(const QKeyEvent& event) {
         case Qt::Key_Backspace:
             return tool().takeBack();
         case Qt::Key_BracketLeft:
-            return tool().resize(1 / kBrushStep);
+            return resizeBrush(1 / kBrushStep);
         case Qt::Key_BracketRight:
-            return tool().resize(kBrushStep);
+            return resizeBrush(kBrushStep);
         case Qt::Key_Space:
             canvas_.setHand(true);
             return true;
@@ -354,6 +400,14 @@ bool ToolBox::pressKey(const QKeyEvent& event) {
         default:
             return false;
     }
+}
+
+bool ToolBox::resizeBrush(float factor) {
+    if (drawing()) return tool().resize(factor);
+    core::Brush brush = workspace_.brush();
+    brush.radius = std::clamp(brush.radius * factor, 1.0f, maxBrushRadius(workspace_.scene()));
+    workspace_.setBrush(brush);
+    return true;
 }
 
 bool ToolBox::undo() { return tool().takeBack() || tool().cancel(); }

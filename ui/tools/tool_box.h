@@ -50,14 +50,20 @@ class ToolBox : public QObject {
     /// What an action makes of the selection, on the worker's thread; `width` [px] is that of the bar at the click.
     using Operation = std::function<core::BinaryMask(const core::Selector&, const core::BinaryMask& selected, int width,
                                                      const core::Progress&)>;
+    /// Its tool tip: what it does, and what is missing for it.
+    [[nodiscard]] QString toolTipOf(std::size_t index) const;
     QAction* addOperation(QMenu& menu, const QString& key, const QString& text, const QKeySequence& shortcut,
-                          const QString& help, Operation operation);
+                          const QString& help, Operation operation, bool refines = false);
     void connectCanvas();
     void followDocument();
     void refresh();
     void refreshPointer();
+    /// False: nothing has a brush.
+    bool resizeBrush(float factor);
     void rehover(Qt::KeyboardModifiers modifiers);
     void addUses(QToolBar& bar);
+    /// The sentence about the tool, and what can be done with a selection.
+    QToolBar* makeHintBar(QMainWindow& window);
 
     Workspace& workspace_;
     Canvas& canvas_;
@@ -76,6 +82,7 @@ class ToolBox : public QObject {
     std::vector<QAction*> operations_;      ///< need a selection
     std::vector<QAction*> segmentChanges_;  ///< need a selection and a segment
     std::vector<QAction*> options_;         ///< places of the tools' controls in the bar; nullptr = none
+    QLabel* name_ = nullptr;
     QLabel* hint_ = nullptr;
     QPointF pointer_;  ///< latest position in the picture
     bool hovering_ = false;

@@ -21,12 +21,12 @@ ParamSlider::ParamSlider(const ParamSpec& spec, QWidget* parent) : QWidget(paren
     if (spec_.minimum <= 0) spec_.logarithmic = false;
     setObjectName(spec_.key);
     label_ = new QLabel(spec_.label, this);
-    label_->setMinimumWidth(kLabelWidth);
+    if (!spec_.compact) label_->setMinimumWidth(kLabelWidth);
     slider_ = new QSlider(Qt::Horizontal, this);
     slider_->setObjectName(spec_.key + QStringLiteral("Slider"));
     slider_->setRange(0, kSteps);
     slider_->setPageStep(kSteps / 20);
-    slider_->setMinimumWidth(60);
+    slider_->setMinimumWidth(spec_.compact ? 40 : 60);
     spin_ = new QDoubleSpinBox(this);
     spin_->setObjectName(spec_.key + QStringLiteral("Spin"));
     spin_->setRange(spec_.lowest.value_or(spec_.minimum), spec_.highest.value_or(spec_.maximum));
@@ -35,8 +35,11 @@ ParamSlider::ParamSlider(const ParamSpec& spec, QWidget* parent) : QWidget(paren
                                          : QAbstractSpinBox::DefaultStepType);
     if (!spec_.logarithmic) spin_->setSingleStep((spec_.maximum - spec_.minimum) / 100);
     spin_->setKeyboardTracking(false);
-    spin_->setFixedWidth(kSpinWidth);
     if (!spec_.unit.isEmpty()) spin_->setSuffix(QStringLiteral(" ") + spec_.unit);
+    if (!spec_.compact)
+        spin_->setFixedWidth(kSpinWidth);
+    else
+        setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     label_->setBuddy(spin_);
 
     const QString help = spec_.toolTip.isEmpty() ? spec_.label : spec_.toolTip;
@@ -69,6 +72,15 @@ void ParamSlider::setValue(double value) {
     const QSignalBlocker blockSpin(spin_);
     slider_->setValue(positionOf(value_));
     spin_->setValue(value_);
+}
+
+void ParamSlider::setMaximum(double maximum) {
+    if (spec_.maximum == maximum) return;
+    spec_.maximum = maximum;
+    const QSignalBlocker blockSlider(slider_);
+    const QSignalBlocker blockSpin(spin_);
+    spin_->setMaximum(spec_.highest.value_or(maximum));
+    slider_->setValue(positionOf(value_));
 }
 
 void ParamSlider::change(double value) {

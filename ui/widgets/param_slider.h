@@ -26,6 +26,7 @@ struct ParamSpec {
     int decimals = 3;
     std::optional<double> lowest = {};   ///< what can be typed; by default the slider's minimum
     std::optional<double> highest = {};  ///< by default the slider's maximum
+    bool compact = false;                ///< in a bar: as narrow as its texts allow
 };
 
 /// One number: label, slider and spin box that agree. Setting a value from outside emits nothing.
@@ -36,6 +37,8 @@ class ParamSlider : public QWidget {
 
     [[nodiscard]] double value() const { return value_; }
     void setValue(double value);
+    /// Another upper end; a value above it stays what it is until it is set again.
+    void setMaximum(double maximum);
     [[nodiscard]] const ParamSpec& spec() const { return spec_; }
 
   signals:
