@@ -169,6 +169,26 @@ TEST(Selector, FurtherClicksAddAndRemove) {
     EXPECT_GT(overlap(selector.select({{a}, {b}}), picture.object(1)), 0.95);
 }
 
+TEST(Selector, RemovingAPartKeepsTheRest) {
+    // A disc of two shades, and a bar beside it in the shade of its other half: a fifth of what one click takes.
+    KnownPicture picture = discWithDepth({});
+    std::mt19937 random(3);
+    std::normal_distribution<float> normal;
+    for (int y = 0; y < picture.truth.height(); ++y)
+        for (int x = 0; x < picture.truth.width(); ++x) {
+            const bool bar = picture.truth(x, y) == 0 && x >= 190 && x < 214 && y >= 60 && y < 160;
+            if (picture.truth(x, y) == 0 && !bar) continue;
+            if (bar) picture.truth(x, y) = 2;
+            const float green = 0.12f + (x >= 140 && !bar ? 0.05f : 0.0f);
+            picture.color(x, y) = Vector3f(0.5f, green, 0.1f) * (1 + 0.03f * normal(random));
+        }
+    const Selector selector = picture.selector();
+    EXPECT_EQ(selector.select({{{110, 110}}, {}})(206, 110), 1) << "control: one click takes both";
+    const BinaryMask mask = selector.select({{{110, 110}}, {{206, 110}}});
+    EXPECT_EQ(mask(206, 110), 0);
+    EXPECT_GT(overlap(mask, picture.object(1)), 0.8) << "the half beyond the first click stays";
+}
+
 std::size_t pixelsOf(const BinaryMask& mask) {
     return static_cast<std::size_t>(std::ranges::count(mask.pixels(), std::uint8_t{1}));
 }
