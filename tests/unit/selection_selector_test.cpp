@@ -150,6 +150,19 @@ TEST(Selector, PixelsWithoutDepthCanBeClicked) {
     EXPECT_EQ(mask(20, 20), 0);
 }
 
+TEST(Selector, HolesOfASensorAreNoOutline) {
+    // A pale disc. Depth lies beside its edges, and is missing across its outline.
+    KnownPicture picture = discWithDepth(6);
+    for (int y = 0; y < picture.truth.height(); ++y)
+        for (int x = 0; x < picture.truth.width(); ++x) {
+            Vector3f& color = picture.color(x, y);
+            if (picture.truth(x, y) != 0) color = 0.35f * color + 0.65f * Vector3f(0.3f, 0.32f, 0.35f);
+            if ((x - 120) * (x - 120) + (y - 112) * (y - 112) < 18 * 18) color *= 1.5f;
+            if (x >= 30 && x < 170 && y >= 60 && y < 160) picture.depth(x, y) = 0;
+        }
+    EXPECT_GT(overlap(picture.selector().select({{{175, 110}}, {}}), picture.object(1)), 0.95);
+}
+
 TEST(Selector, SeedsAreObeyed) {
     const KnownPicture picture = spheresOnTable();
     const Pixel a = picture.middle(1), b = picture.middle(2);
