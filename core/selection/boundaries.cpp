@@ -26,6 +26,9 @@ constexpr float kConcave = 0.85f;
 constexpr float kConvex = 0.22f;
 /// Strength of the border of the region without depth.
 constexpr float kDepthEnds = 0.8f;
+/// The same where the map's edges lie beside those of the photograph: sensors fail within objects too, on dark and
+/// shiny spots.
+constexpr float kSensorFails = 0.1f;
 /// Largest distance looked at between an edge of the depth map and one of the photograph [working px].
 constexpr int kMaxOffset = 12;
 
@@ -199,6 +202,16 @@ int measureEdgeOffset(const CueStrength& depth, const CueStrength& color) {
     return offset;
 }
 
+/// Takes most of their strength from the borders of areas without depth.
+void weakenHoles(const SelectionPicture& picture, CueStrength& steps) {
+    const ImageF& w = picture.inverseDepth;
+    for (int y = 0; y < w.height(); ++y)
+        for (int x = 0; x < w.width(); ++x)
+            for (const Axis axis : {kRight, kDown})
+                if (w.contains(x + axis.dx, y + axis.dy) && (w(x, y) > 0) != (w(x + axis.dx, y + axis.dy) > 0))
+                    steps.along(axis)(x, y) = kSensorFails;
+}
+
 float atLeastOne(float a, float b) { return 1 - (1 - a) * (1 - b); }
 
 }  // namespace
@@ -211,9 +224,10 @@ BoundaryStrength findBoundaries(SelectionPicture& picture, const Progress& progr
     CueStrength near(width, height);
     DepthQuality& quality = picture.quality;
     if (quality.present) {
-        const CueStrength steps = measure(width, height, progress.part(0.4f, 0.6f),
-                                          [&](int x, int y, Axis axis) { return depthStep(picture, x, y, axis); });
+        CueStrength steps = measure(width, height, progress.part(0.4f, 0.6f),
+                                    [&](int x, int y, Axis axis) { return depthStep(picture, x, y, axis); });
         quality.edgeOffset = measureEdgeOffset(steps, color);
+        if (quality.edgeOffset > 0) weakenHoles(picture, steps);
         shape = measure(width, height, progress.part(0.6f, 0.8f), [&](int x, int y, Axis axis) {
             return std::max(steps.along(axis)(x, y), crease(picture, x, y, axis));
         });

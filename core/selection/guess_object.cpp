@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/selection/choose_region.h"
 
@@ -14,8 +15,10 @@ namespace {
 /// Largest area that a further seed adds or takes away, in parts of what the first ones selected.
 constexpr float kMaxAdded = 1.5f;
 constexpr float kMaxRemoved = 0.5f;
-/// Largest part of the first region that is a detail in it.
+/// Part of the first region from which a disc in it around a removed seed is no detail.
 constexpr float kDetail = 0.06f;
+/// Removed seeds in the first region that show it to be the wrong one, whatever their size.
+constexpr int kManyRemoved = 3;
 /// Distance from the outline within which a seed corrects details [working px], and their largest area in squares of
 /// the seed's distance: that of a disc twice as wide.
 constexpr float kNear = 20;
@@ -67,12 +70,27 @@ class Guess {
         setLeaves(tree, whole, 1, inWhole);
         const std::vector<std::uint8_t> barred = markAncestors(tree, {first});
         const float area = tree.regions[whole].area;
-        for (const std::uint32_t leaf : leaves_.remove) {
+        const float deep = std::sqrt(kDetail * area / std::numbers::pi_v<float>);
+        int count = 0;
+        for (std::size_t i = 0; i < remove_.size(); ++i) {
+            const std::uint32_t leaf = leaves_.remove[i];
             if (inWhole[leaf] == 0) continue;
-            const std::uint32_t removed = chooseRegion(tree, leaf, barred, kMaxRemoved * area);
-            if (tree.regions[removed].area > kDetail * area) return chooseRegion(tree, first, barredAdd_, kUnlimited);
+            const std::uint32_t removed = chooseRegion(tree, leaf, barred, kUnlimited);
+            const bool detail = ++count < kManyRemoved && tree.regions[removed].area <= kMaxRemoved * area &&
+                                reachesOutside(inWhole, remove_[i], deep);
+            if (!detail) return chooseRegion(tree, first, barredAdd_, kUnlimited);
         }
         return whole;
+    }
+
+    /// Whether a pixel whose superpixel is not in `region` lies closer than `radius` [working px].
+    [[nodiscard]] bool reachesOutside(const std::vector<std::uint32_t>& region, const Pixel& at, float radius) const {
+        const Image<std::uint32_t>& index = state_.superpixels.index;
+        const int reach = static_cast<int>(radius);
+        for (int y = std::max(0, at.y - reach); y <= std::min(index.height() - 1, at.y + reach); ++y)
+            for (int x = std::max(0, at.x - reach); x <= std::min(index.width() - 1, at.x + reach); ++x)
+                if (region[index(x, y)] == 0 && distanceBetween({x, y}, at) < radius) return true;
+        return false;
     }
 
     void correct(const Pixel& at, std::uint32_t leaf, std::uint8_t value) {

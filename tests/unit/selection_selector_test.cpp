@@ -150,6 +150,19 @@ TEST(Selector, PixelsWithoutDepthCanBeClicked) {
     EXPECT_EQ(mask(20, 20), 0);
 }
 
+TEST(Selector, HolesOfASensorAreNoOutline) {
+    // A pale disc. Depth lies beside its edges, and is missing across its outline.
+    KnownPicture picture = discWithDepth(6);
+    for (int y = 0; y < picture.truth.height(); ++y)
+        for (int x = 0; x < picture.truth.width(); ++x) {
+            Vector3f& color = picture.color(x, y);
+            if (picture.truth(x, y) != 0) color = 0.35f * color + 0.65f * Vector3f(0.3f, 0.32f, 0.35f);
+            if ((x - 120) * (x - 120) + (y - 112) * (y - 112) < 18 * 18) color *= 1.5f;
+            if (x >= 30 && x < 170 && y >= 60 && y < 160) picture.depth(x, y) = 0;
+        }
+    EXPECT_GT(overlap(picture.selector().select({{{175, 110}}, {}}), picture.object(1)), 0.95);
+}
+
 TEST(Selector, SeedsAreObeyed) {
     const KnownPicture picture = spheresOnTable();
     const Pixel a = picture.middle(1), b = picture.middle(2);
@@ -167,6 +180,26 @@ TEST(Selector, FurtherClicksAddAndRemove) {
     for (std::size_t i = 0; i < truth.size(); ++i) truth[i] = picture.truth[i] != 0 ? 1 : 0;
     EXPECT_GT(overlap(selector.select({{a, b}, {}}), truth), 0.95);
     EXPECT_GT(overlap(selector.select({{a}, {b}}), picture.object(1)), 0.95);
+}
+
+TEST(Selector, RemovingAPartKeepsTheRest) {
+    // A disc of two shades, and a bar beside it in the shade of its other half: a fifth of what one click takes.
+    KnownPicture picture = discWithDepth({});
+    std::mt19937 random(3);
+    std::normal_distribution<float> normal;
+    for (int y = 0; y < picture.truth.height(); ++y)
+        for (int x = 0; x < picture.truth.width(); ++x) {
+            const bool bar = picture.truth(x, y) == 0 && x >= 190 && x < 214 && y >= 60 && y < 160;
+            if (picture.truth(x, y) == 0 && !bar) continue;
+            if (bar) picture.truth(x, y) = 2;
+            const float green = 0.12f + (x >= 140 && !bar ? 0.05f : 0.0f);
+            picture.color(x, y) = Vector3f(0.5f, green, 0.1f) * (1 + 0.03f * normal(random));
+        }
+    const Selector selector = picture.selector();
+    EXPECT_EQ(selector.select({{{110, 110}}, {}})(206, 110), 1) << "control: one click takes both";
+    const BinaryMask mask = selector.select({{{110, 110}}, {{206, 110}}});
+    EXPECT_EQ(mask(206, 110), 0);
+    EXPECT_GT(overlap(mask, picture.object(1)), 0.8) << "the half beyond the first click stays";
 }
 
 std::size_t pixelsOf(const BinaryMask& mask) {
