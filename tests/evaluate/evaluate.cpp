@@ -16,6 +16,7 @@
 #include "tests/evaluate/device.h"
 #include "tests/evaluate/edit_report.h"
 #include "tests/evaluate/metrics.h"
+#include "tests/evaluate/phone_report.h"
 #include "tests/evaluate/photo_report.h"
 #include "tests/evaluate/selection_report.h"
 #include "tests/evaluate/sheets.h"
@@ -30,7 +31,7 @@ using evaluate::Json;
 struct Options {
     std::string root;
     std::string output = "evaluation";
-    std::vector<std::string> parts = {"analysis", "speed", "edits", "photos", "selection"};
+    std::vector<std::string> parts = {"analysis", "speed", "edits", "phone", "photos", "selection"};
     std::string scene;
     std::string edit;
     int samples = 64;
@@ -43,9 +44,9 @@ struct Options {
 void addOptions(CLI::App& app, Options& options) {
     app.add_option("folder", options.root, "Folder of reference data (default: PATINA_REFERENCE_DATA)");
     app.add_option("-o,--output", options.output, "Output folder for evaluation.md, evaluation.json and pictures");
-    app.add_option("--only", options.parts, "Parts to run: analysis, speed, edits, photos, selection")
+    app.add_option("--only", options.parts, "Parts to run: analysis, speed, edits, phone, photos, selection")
         ->delimiter(',')
-        ->check(CLI::IsMember({"analysis", "speed", "edits", "photos", "selection"}));
+        ->check(CLI::IsMember({"analysis", "speed", "edits", "phone", "photos", "selection"}));
     app.add_option("--scene", options.scene, "Evaluate only this scene or photo");
     app.add_option("--edit", options.edit, "Evaluate only this edit");
     app.add_option("--samples", options.samples, "Paths per pixel of the edits")->check(CLI::PositiveNumber);
@@ -94,9 +95,11 @@ Json run(const Options& options) {
     Json evaluation = {{"commit", options.commit},   {"device", evaluate::newDevice().adapterInfo().name},
                        {"samples", options.samples}, {"analysis", Json::array()},
                        {"edits", Json::array()},     {"speed", Json::array()},
-                       {"photos", Json::array()},    {"selection", Json::array()}};
+                       {"phone", Json::array()},     {"photos", Json::array()},
+                       {"selection", Json::array()}};
     const fs::path output = options.output;
     evaluate::ContactSheet sheet(216, 216);
+    evaluate::ContactSheet phoneSheet(240, 240);
     const std::vector<fs::path> folders = evaluate::findSceneFolders(options.root);
     for (const fs::path& path : folders) {
         if (!options.scene.empty() && path.filename() != options.scene) continue;
@@ -109,6 +112,11 @@ Json run(const Options& options) {
         if (options.has("selection")) {
             progress(folder.name + ": selection");
             evaluation["selection"].push_back(evaluate::selectionReport(folder.scene, folder.name));
+        }
+        if (options.has("phone")) {
+            progress(folder.name + ": phone");
+            for (Json& report : evaluate::phoneReports(folder, options.edit, phoneSheet, output))
+                evaluation["phone"].push_back(std::move(report));
         }
         core::AnalysisPipeline pipeline;
         if (options.has("analysis")) {
@@ -128,6 +136,7 @@ Json run(const Options& options) {
         }
     }
     if (!sheet.empty()) sheet.save((output / "contact_sheet.png").string());
+    if (!phoneSheet.empty()) phoneSheet.save((output / "phone.png").string());
     if (options.has("photos")) evaluation["photos"] = evaluatePhotos(options);
     if (options.has("selection")) selectInPhotos(options, evaluation["selection"]);
     evaluation["targets"] = evaluate::judgeTargets(evaluation);
@@ -141,6 +150,7 @@ std::string markdown(const Json& evaluation) {
         << " paths per pixel.\n";
     evaluate::printTargets(out, evaluation.at("targets"));
     evaluate::printEdits(out, evaluation.at("edits"));
+    evaluate::printPhone(out, evaluation.at("phone"));
     evaluate::printAnalysis(out, evaluation.at("analysis"));
     evaluate::printSpeed(out, evaluation.at("speed"));
     evaluate::printPhotos(out, evaluation.at("photos"));

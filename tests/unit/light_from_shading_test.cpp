@@ -196,7 +196,7 @@ core::DirectionalMap environmentOf(const ShadedBall& ball, bool contradicts, std
     const std::vector<std::shared_ptr<const core::Reflectance>> reflectances{reflectance};
     const std::vector<std::shared_ptr<const core::analysis::SegmentReflections>> reflections{seen};
     const core::Image<std::uint8_t> distant(ball.photo.color.width(), ball.photo.color.height(), 0);
-    return core::analysis::recoverEnvironment(scene, ball.front, distant, reflectances, reflections, {});
+    return core::analysis::recoverEnvironment(scene, ball.front, distant, true, reflectances, reflections, {});
 }
 
 TEST(LightFromShading, TakesThePlaceOfSegmentsThatShowMoreThanTheyMirror) {

@@ -8,6 +8,7 @@
 #include "core/analysis/light/deconvolve.h"
 #include "core/analysis/light/directional_accumulator.h"
 #include "core/analysis/light/fill_directions.h"
+#include "core/analysis/light/light_energy.h"
 #include "core/analysis/light/light_from_shading.h"
 #include "core/base/parallel.h"
 
@@ -173,7 +174,7 @@ void fillUnseen(const Scene& scene, const Surface& front, bool mirrored, Directi
 }  // namespace
 
 DirectionalMap recoverEnvironment(const Scene& scene, const Surface& front, const Image<std::uint8_t>& distant,
-                                  std::span<const std::shared_ptr<const Reflectance>> reflectances,
+                                  bool exactShape, std::span<const std::shared_ptr<const Reflectance>> reflectances,
                                   std::span<const std::shared_ptr<const SegmentReflections>> reflections,
                                   const StepContext& context) {
     const int rows = scene.environment.height;
@@ -192,6 +193,7 @@ DirectionalMap recoverEnvironment(const Scene& scene, const Surface& front, cons
     fillUnseen(scene, front, mirrored, map, rest.part(mirrored ? 0.75f : 0.0f, 1));
     for (std::size_t i = 0; i < seen.size(); ++i)
         if (seen[i] == 0) map.coverage[i] = 0;
+    if (mirrored && !scene.environment.image) raiseToMattSurfaces(scene, front, exactShape, map);
     return map;
 }
 
@@ -244,11 +246,12 @@ Step environmentStep() {
     step.run = [](Board& board, const StepContext& context) {
         const Scene& scene = *board.scene;
         const EnvironmentParams& p = scene.environment;
+        const bool exactShape = board.depth->relativeNoise == 0 && scene.photo->depthSampleSpacing <= 1;
         const bool replaced = p.image && !p.image->empty() && p.use == EnvironmentUse::Replace;
         board.environment = std::make_shared<DirectionalMap>(
             replaced ? userEnvironment(*p.image, p.rotation, p.scale, std::min(p.image->height(), kMaxUserRows),
                                        context.progress)
-                     : recoverEnvironment(scene, *board.front, board.depth->distant, board.reflectances,
+                     : recoverEnvironment(scene, *board.front, board.depth->distant, exactShape, board.reflectances,
                                           board.reflections, context));
     };
     return step;

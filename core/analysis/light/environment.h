@@ -15,9 +15,11 @@ namespace core::analysis {
 ///
 /// Not counted are distant pixels beside a pixel with depth, which mix with it, and segments that show more than they
 /// mirror. What lies over a support's continuation (`SegmentReflections::overSupport`) fills the map there, with
-/// coverage 0. If no segment mirrors the light, `lightFromShading` fills the map, with coverage 0.
+/// coverage 0. If no segment mirrors the light, `lightFromShading` fills the map, with coverage 0. Otherwise, and
+/// without a user's map, the light is at least as strong as matt surfaces show it (`raiseToMattSurfaces`; `exactShape`:
+/// the depth is exact and was not enlarged).
 [[nodiscard]] DirectionalMap recoverEnvironment(const Scene& scene, const Surface& front,
-                                                const Image<std::uint8_t>& distant,
+                                                const Image<std::uint8_t>& distant, bool exactShape,
                                                 std::span<const std::shared_ptr<const Reflectance>> reflectances,
                                                 std::span<const std::shared_ptr<const SegmentReflections>> reflections,
                                                 const StepContext& context);

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
+#include <optional>
 #include <vector>
 
+#include "core/analysis/light/irradiance.h"
 #include "core/base/color.h"
 #include "core/base/statistics.h"
 
@@ -18,20 +18,6 @@ constexpr float kMeterReflectance = 0.18f;
 constexpr float kMaxAlbedo = 0.9f;
 constexpr std::size_t kMaxPixels = 40000;
 constexpr int kPickRadius = 2;
-constexpr std::size_t kTerms = 9;
-
-std::array<float, kTerms> harmonics(const Vector3f& d) {
-    return {0.282095f,
-            0.488603f * d.y(),
-            0.488603f * d.z(),
-            0.488603f * d.x(),
-            1.092548f * d.x() * d.y(),
-            1.092548f * d.y() * d.z(),
-            0.315392f * (3 * d.z() * d.z() - 1),
-            1.092548f * d.x() * d.z(),
-            0.546274f * (d.x() * d.x() - d.y() * d.y())};
-}
-
 /// E(n)/π of a light.
 class Shading {
   public:
@@ -39,7 +25,7 @@ class Shading {
         if (analysis != nullptr && analysis->environment != nullptr && !analysis->environment->empty() &&
             analysis->front != nullptr && analysis->front->normal.sameSize(photo.color)) {
             front_ = analysis->front.get();
-            project(analysis->environment->radiance);
+            light_.emplace(analysis->environment->radiance);
             return;
         }
         double sum = 0;
@@ -52,33 +38,13 @@ class Shading {
     [[nodiscard]] Vector3f at(std::size_t pixel) const {
         if (front_ == nullptr) return Vector3f::Constant(uniform_);
         if (!(front_->depth[pixel] > 0)) return Vector3f::Zero();
-        const std::array<float, kTerms> basis = harmonics(front_->normal[pixel]);
-        Vector3f sum = Vector3f::Zero();
-        for (std::size_t i = 0; i < kTerms; ++i) sum += basis[i] * terms_[i];
-        return sum.cwiseMax(0.0f);
+        return light_->at(front_->normal[pixel]);
     }
 
   private:
-    void project(const ImageRgb& radiance) {
-        // A_l / π
-        constexpr std::array<float, kTerms> kCosine{1, 2.0f / 3, 2.0f / 3, 2.0f / 3, 0.25f, 0.25f, 0.25f, 0.25f, 0.25f};
-        terms_.fill(Vector3f::Zero());
-        const int width = radiance.width();
-        const int height = radiance.height();
-        for (int y = 0; y < height; ++y) {
-            const float solidAngle = DirectionalMap::texelSolidAngle(y, width, height);
-            for (int x = 0; x < width; ++x) {
-                const std::array<float, kTerms> basis = harmonics(DirectionalMap::directionFromTexel(
-                    {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}, width, height));
-                for (std::size_t i = 0; i < kTerms; ++i)
-                    terms_[i] += kCosine[i] * basis[i] * solidAngle * radiance(x, y);
-            }
-        }
-    }
-
     const Surface* front_ = nullptr;
     float uniform_ = 0;
-    std::array<Vector3f, kTerms> terms_;
+    std::optional<analysis::Irradiance> light_;
 };
 
 Vector3f albedoOf(const Photo& photo, const Shading& shading, const std::vector<std::size_t>& pixels) {
