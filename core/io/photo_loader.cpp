@@ -7,6 +7,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "core/analysis/depth/unround_depth.h"
 #include "core/analysis/depth/upsample_depth.h"
 #include "core/base/statistics.h"
 #include "core/io/image_io.h"
@@ -26,6 +27,8 @@ constexpr float kImportEnd = 0.35f;
 constexpr float kSameSizeEnd = 0.92f;
 /// Of what follows reading: enlarging the depth.
 constexpr float kEnlargeEnd = 0.88f;
+/// Of enlarging: freeing the map of its rounding.
+constexpr float kUnroundEnd = 0.4f;
 
 constexpr double kDefaultFovDegrees = 60;
 
@@ -143,14 +146,16 @@ ImageF planarDepthInside(const Camera& camera, const ImageF& stored, DepthKind k
     return planarDepth(stored, kind, unit, own);
 }
 
-/// Enlarges the depth to the photograph, along its outlines.
+/// Frees the depth of coarse rounding and enlarges it to the photograph, along its outlines.
 void enlargeDepth(Photo& photo, const std::string& path, Notes* notes, const Progress& progress) {
     const int width = photo.depth.width();
     const int height = photo.depth.height();
     const Camera& camera = photo.camera;
     note(notes, Message("messages", "The depth in \"%1\" (%2) is enlarged to the colour image (%3).")
                     .with(path, sizeText(width, height), sizeText(camera.width, camera.height)));
-    photo.depth = upsampleDepth(photo.depth, camera.width, camera.height, &photo.color.image(), progress);
+    const ImageF smooth = analysis::unroundDepth(photo.depth, progress.part(0, kUnroundEnd));
+    photo.depth =
+        upsampleDepth(smooth, camera.width, camera.height, &photo.color.image(), progress.part(kUnroundEnd, 1));
     photo.depthSampleSpacing = std::max({1.0f, static_cast<float>(camera.width) / static_cast<float>(width),
                                          static_cast<float>(camera.height) / static_cast<float>(height)});
 }

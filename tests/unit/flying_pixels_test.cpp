@@ -105,6 +105,28 @@ TEST(FlyingPixels, RampsOfAnEnlargedMapThatEndInAJumpAreRemoved) {
     EXPECT_EQ(exact, photo.depth) << "the rim of a ball is no ramp";
 }
 
+TEST(FlyingPixels, TheWholeMixedBandOfABlurredEnlargedMapIsRemoved) {
+    const core::Photo photo = thingsBeforeAWall().photograph();
+    constexpr int kSpacing = 2, kDepthOfBand = 6;
+    ImageF depth = blurred(blurred(photo.depth, 2), 2);
+    for (std::size_t i = 0; i < depth.size(); ++i)
+        if (photo.labels[i] < 2) depth[i] = photo.depth[i];
+    core::analysis::removeFlyingPixels(depth, photo.labels, photo.camera, kSpacing, {});
+    int kept = 0, all = 0, left = 0;
+    for (int y = 0; y < depth.height(); ++y)
+        for (int x = kDepthOfBand; x < depth.width(); ++x) {
+            if (photo.labels(x, y) < 2) continue;
+            if (depth(x, y) > 0) ++left;
+            const int outside = x - kDepthOfBand;
+            if (photo.labels(outside, y) >= 2 || photo.depth(outside, y) < 1.2f * photo.depth(x, y)) continue;
+            ++all;
+            if (depth(x, y) > 0) ++kept;
+        }
+    std::printf("band of %d pixels: %d left, %d inside\n", all, kept, left);
+    EXPECT_LT(kept, all / 20);
+    EXPECT_GT(left, 5 * all) << "the inside stays";
+}
+
 TEST(FlyingPixels, OfASensorAreRemoved) {
     const core::Photo photo = thingsBeforeAWall().photograph();
     const ImageF measured = test::withSensorNoise(photo.depth);

@@ -28,6 +28,13 @@ constexpr float kMinRampFraction = 0.6f;
 constexpr float kMinStripFraction = 0.3f;
 /// The width of a ramp's foot is its reach divided by this.
 constexpr int kFootParts = 8;
+/// Width of the band along outlines [depth samples] in which an enlarged map mixes both surfaces, and its half-width of
+/// the window in which depth must jump there, by this much relative to the nearer depth.
+constexpr float kBandSamples = 2.5f;
+constexpr int kBandWindow = 3;
+constexpr float kBandJump = 0.03f;
+/// Smallest fraction of the outlines with a jump that is blurred where the whole map counts as blurred.
+constexpr float kMinBlurredMap = 0.1f;
 /// Smallest jump [pixel widths per pixel of the reach] to what lies behind: less is relief.
 constexpr float kMinJump = 8;
 /// Steepest relief [pixel widths per pixel] that may lie in a gap.
@@ -284,6 +291,55 @@ void followRamps(const Outlines& outlines, const ImageF& measured, const LabelIm
     }
 }
 
+/// Whether depth around an outline pixel jumps, in either direction.
+bool jumpsAround(const ImageF& measured, Pixel pixel, int spacing) {
+    float nearest = measured(pixel.x, pixel.y), farthest = nearest;
+    for (int j = -kBandWindow; j <= kBandWindow; ++j)
+        for (int i = -kBandWindow; i <= kBandWindow; ++i) {
+            const int u = pixel.x + i * spacing;
+            const int v = pixel.y + j * spacing;
+            if (!measured.contains(u, v) || measured(u, v) <= 0) continue;
+            nearest = std::min(nearest, measured(u, v));
+            farthest = std::max(farthest, measured(u, v));
+        }
+    return farthest > (1 + kBandJump) * nearest;
+}
+
+/// Removes the band along outlines with a jump where the samples of an enlarged map mix both surfaces, unless nothing
+/// of the segment would be left nearby to continue.
+void removeMixedBand(const ClassifiedOutlines& classified, const ImageF& measured, const LabelImage& labels,
+                     float depthSampleSpacing, ImageF& depth) {
+    const int width = static_cast<int>(std::lround(kBandSamples * depthSampleSpacing));
+    const int spacing = std::max(1, static_cast<int>(std::lround(depthSampleSpacing)));
+    Image<std::uint8_t> band(labels.width(), labels.height(), 0);
+    std::size_t jumps = 0, blurred = 0;
+    for (int y = 0; y < labels.height(); ++y)
+        for (int x = 0; x < labels.width(); ++x) {
+            if (classified.edges(x, y) == Edge::None || !jumpsAround(measured, {x, y}, spacing)) continue;
+            ++jumps;
+            if (classified.edges(x, y) == Edge::Blurred) ++blurred;
+            forDisk(labels, {x, y}, width, [&](int u, int v) { band(u, v) = 1; });
+        }
+    if (static_cast<float>(blurred) < kMinBlurredMap * static_cast<float>(jumps)) return;
+    std::vector<Pixel> front, next;
+    for (int y = 0; y < labels.height(); ++y)
+        for (int x = 0; x < labels.width(); ++x)
+            if (labels(x, y) != 0 && band(x, y) == 0 && depth(x, y) > 0) front.push_back({x, y});
+    for (int k = 0; k < 2 * width && !front.empty(); ++k) {
+        next.clear();
+        for (const auto& [x, y] : front)
+            for (const Pixel& step : kNeighbors) {
+                const int u = x + step.x;
+                const int v = y + step.y;
+                if (!labels.contains(u, v) || labels(u, v) != labels(x, y) || band(u, v) == 0) continue;
+                band(u, v) = 0;
+                depth(u, v) = 0;
+                next.push_back({u, v});
+            }
+        front.swap(next);
+    }
+}
+
 }  // namespace
 
 void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& camera, float depthSampleSpacing,
@@ -301,6 +357,7 @@ void removeFlyingPixels(ImageF& depth, const LabelImage& labels, const Camera& c
     for (int y = 0; y < depth.height(); ++y)
         for (int x = 0; x < depth.width(); ++x)
             if (ramp(x, y) == 1) forDisk(labels, {x, y}, foot, [&](int u, int v) { depth(u, v) = 0; });
+    if (enlarged) removeMixedBand(classified, measured, labels, depthSampleSpacing, depth);
 }
 
 }  // namespace core::analysis
