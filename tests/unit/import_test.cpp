@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "core/base/color.h"
 #include "core/io/depth_beside.h"
@@ -356,6 +357,24 @@ TEST_F(ImportTest, PointCloudsInEveryLayout) {
         EXPECT_NEAR(photo.color(3, 4).y(), linear(100), 1e-5);
         EXPECT_NEAR(photo.color(3, 4).z(), linear(30), 1e-5);
     }
+}
+
+TEST_F(ImportTest, PointsWithoutXOrYAreHoles) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const int w = 20, h = 15;
+    std::string points;
+    for (int v = 0; v < h; ++v)
+        for (int u = 0; u < w; ++u) {
+            const float z = u < 3 ? 5 : 1;
+            const float x = u == 0 || u == 1 ? nan : (static_cast<float>(u) + 0.5f - 10) / 20 * z;
+            const float y = u == 0 || u == 2 ? nan : (static_cast<float>(v) + 0.5f - 7) / 20 * z;
+            const std::uint32_t color = 0xff808080U;
+            points += raw(&x) + raw(&y) + raw(&z) + raw(&color);
+        }
+    test::writeBytes(folder / "p.pcd", cloudHeader(w, h, "binary") + points);
+    const core::ImageF depth = import(folder / "p.pcd", "PCD").depth;
+    for (int u = 0; u < w; ++u) EXPECT_EQ(std::isnan(depth(u, 4)), u < 3) << u;
+    EXPECT_EQ(depth(3, 4), 1);
 }
 
 TEST_F(ImportTest, LzfReferencesThatOverlap) {
