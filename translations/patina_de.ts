@@ -1301,6 +1301,10 @@
         <source>The depth inside &quot;%1&quot; is read as &quot;%2&quot;, although the file says that it is &quot;%3&quot;.</source>
         <translation>Die Tiefe in „%1“ wird als „%2“ gelesen, obwohl sie laut Datei „%3“ ist.</translation>
     </message>
+    <message>
+        <source>The depth inside &quot;%1&quot; has the unit &quot;%2&quot;, which is not known: 1 is taken as a metre. Give the metres per unit to set the true scale.</source>
+        <translation>Die Tiefe in „%1“ hat die Einheit „%2“, die nicht bekannt ist: 1 gilt als ein Meter. Geben Sie die Meter pro Einheit an, um den wahren Maßstab einzustellen.</translation>
+    </message>
 </context>
 <context>
     <name>metals</name>

@@ -106,6 +106,23 @@ TEST_F(ImportTest, GoogleDepthLinearAlongTheRayInMillimetres) {
     EXPECT_NEAR(photo.color(3, 2).x(), linear(50), 0.01);
 }
 
+TEST_F(ImportTest, GoogleDepthInTheSecondPacketWithCommasAndOtherUnits) {
+    const std::string rating =
+        test::xmpSegment(test::xmpText("xmlns:xmp=\"http://ns.adobe.com/xap/1.0/\"", "xmp:Rating=\"5\""));
+    const auto read = [&](const std::string& units) {
+        writeGdepth(folder / "g.jpg", "GDepth:Format=\"RangeLinear\" GDepth:Near=\"0,5\" GDepth:Far=\"3,05\" " + units);
+        test::writeBytes(folder / "g.jpg", test::withSegments(test::readBytes(folder / "g.jpg"), rating));
+        return import(folder / "g.jpg", "Google");
+    };
+    const core::ImportedPhoto photo = read("GDepth:Units=\"cm\"");
+    EXPECT_NEAR(photo.depth(5, 1), 0.5 + 0.01 * 110, 1e-5);
+    EXPECT_EQ(photo.unit, 0.01);
+    EXPECT_EQ(photo.assumedUnit, "");
+    EXPECT_EQ(read("GDepth:Units=\"Meters\"").assumedUnit, "");
+    EXPECT_THAT(read("GDepth:Units=\"furlong\"").assumedUnit.english(), testing::HasSubstr("\"furlong\""));
+    EXPECT_THAT(read("").assumedUnit.english(), testing::HasSubstr("has no unit"));
+}
+
 TEST_F(ImportTest, DepthTurnsWithThePhotograph) {
     const std::string range = "GDepth:Format=\"RangeLinear\" GDepth:Near=\"0\" GDepth:Far=\"255\"";
     writeGdepth(folder / "up.jpg", range);

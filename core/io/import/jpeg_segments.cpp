@@ -78,8 +78,7 @@ std::vector<std::string> jpegXmpPackets(std::string_view stream, Message* damage
     bool complete = false;
     for (const JpegSegment& segment : jpegSegments(stream, &complete)) {
         if (segment.marker != 0xe1) continue;
-        if (segment.payload.starts_with(kXmp) && packets.empty())
-            packets.emplace_back(segment.payload.substr(kXmp.size()));
+        if (segment.payload.starts_with(kXmp)) packets.emplace_back(segment.payload.substr(kXmp.size()));
         if (!segment.payload.starts_with(kExtendedXmp) || segment.payload.size() < kExtendedHeader) continue;
         Extension& extension = extensions[segment.payload.substr(kExtendedXmp.size(), kGuidBytes)];
         const std::uint32_t size = bigEndian32(segment.payload, kExtendedHeader - 8);
@@ -91,13 +90,13 @@ std::vector<std::string> jpegXmpPackets(std::string_view stream, Message* damage
     }
     Message problem;
     if (!complete) problem = Message("messages", "the file is truncated: its header segments have no end");
-    if (!packets.empty())
-        for (const auto& [guid, extension] : extensions) {
-            if (packets.front().find(guid) == std::string::npos) continue;
-            std::string text = join(extension, problem);
-            if (!text.empty()) packets.push_back(std::move(text));
-            break;
-        }
+    for (const auto& [guid, extension] : extensions) {
+        const auto refers = [&](const std::string& packet) { return packet.find(guid) != std::string::npos; };
+        if (std::ranges::none_of(packets, refers)) continue;
+        std::string text = join(extension, problem);
+        if (!text.empty()) packets.push_back(std::move(text));
+        break;
+    }
     if (damage != nullptr) *damage = problem;
     return packets;
 }
