@@ -1305,6 +1305,10 @@
         <source>The depth inside &quot;%1&quot; has the unit &quot;%2&quot;, which is not known: 1 is taken as a metre. Give the metres per unit to set the true scale.</source>
         <translation>Die Tiefe in „%1“ hat die Einheit „%2“, die nicht bekannt ist: 1 gilt als ein Meter. Geben Sie die Meter pro Einheit an, um den wahren Maßstab einzustellen.</translation>
     </message>
+    <message>
+        <source>The index (MPF) of &quot;%1&quot; names a further picture that is not in the file: another program dropped it when it saved the photograph, and the depth with it if that was there. Take the original file, or give a depth map.</source>
+        <translation>Das Verzeichnis (MPF) von „%1“ nennt ein weiteres Bild, das nicht in der Datei ist: Ein anderes Programm hat es beim Speichern des Fotos weggelassen, und mit ihm die Tiefe, falls sie dort war. Nehmen Sie die Originaldatei, oder geben Sie eine Tiefenkarte an.</translation>
+    </message>
 </context>
 <context>
     <name>metals</name>

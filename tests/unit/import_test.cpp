@@ -228,6 +228,32 @@ TEST_F(ImportTest, AppleDisparityInTheSecondPicture) {
     EXPECT_EQ(*turned.camera, (core::Camera{16, 32, 25.5f, 25, 8.5f, 10}));
 }
 
+TEST_F(ImportTest, AppleDisparityWhoseIndexHasMoved) {
+    const std::string apple = test::appleXmp("0.5", "2.5", 32, 16, {50, 0, 0, 0, 51, 0, 20, 15, 1});
+    const std::string second = test::withSegments(grey(16, 8, 100), test::xmpSegment(apple));
+    const std::string front = grey(32, 16, 128);
+    const std::string whole = test::mpfFile(front, "", second);
+    test::writeBytes(folder / "whole.jpg", whole);
+    const core::ImageF depth = import(folder / "whole.jpg", "MPF").depth;
+    // Another program puts a segment before the index, and leaves its offsets.
+    const std::string keyword = test::jpegSegment(0xed, std::string(566, 'k'));
+    test::writeBytes(folder / "moved.jpg", test::withSegments(whole, keyword));
+    EXPECT_EQ(import(folder / "moved.jpg", "MPF").depth, depth);
+    test::writeBytes(folder / "tail.jpg", test::withSegments(whole, keyword) + std::string(5000, 'v'));
+    EXPECT_EQ(import(folder / "tail.jpg", "MPF").depth, depth);
+    test::writeBytes(folder / "noindex.jpg", test::withSegments(front, keyword) + second);
+    EXPECT_EQ(import(folder / "noindex.jpg", "MPF").depth, depth);
+
+    const std::string first = whole.substr(0, whole.size() - second.size());
+    for (const std::string& tail : {std::string(), std::string(5000, 'v')}) {
+        test::writeBytes(folder / "dropped.jpg", first + tail);
+        const core::ImportedPhoto photo = import(folder / "dropped.jpg", "MPF");
+        EXPECT_TRUE(photo.depth.empty());
+        ASSERT_EQ(photo.remarks.size(), 1U);
+        EXPECT_THAT(photo.remarks[0].english(), testing::HasSubstr("another program dropped it"));
+    }
+}
+
 TEST_F(ImportTest, HeicTakesTheDepthAndNotTheGainMap) {
     const int w = 256;
     const int h = 128;
