@@ -289,4 +289,5 @@ TEST_F(ImportHostileTest, DamagedHeic) {
     expectRefused("cut.heic", whole.substr(0, whole.size() / 2), {});
     expectRefused("head.heic", whole.substr(0, 40), {});
     expectNoCrash("d.heic", whole, 4, 17);
+    expectNoCrash("t.heic", test::heicFile(color, picture, picture, apple, 0, 2, 2, {5, 1}), 4, 17);
 }

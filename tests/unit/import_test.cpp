@@ -287,6 +287,31 @@ TEST_F(ImportTest, HeicTakesTheDepthAndNotTheGainMap) {
     EXPECT_EQ(*turned.camera, (core::Camera{h, w, 101, 100, h - 40, 60}));
 }
 
+TEST_F(ImportTest, HeicWhoseDepthBelongsToTwoPictures) {
+    std::vector<std::uint8_t> ramp;
+    for (int i = 0; i < 64 * 64; ++i) ramp.push_back(static_cast<std::uint8_t>(i % 64 * 3));
+    const test::HevcPicture grey = test::encodeHevc(64, 64, {ramp});
+    const test::HevcPicture color = test::encodeHevc(64, 64, {ramp, ramp, ramp});
+    const std::string apple = test::appleXmp("1", "3", 64, 64, {100, 0, 0, 0, 101, 0, 30, 30, 1});
+    const auto read = [&](const std::vector<std::size_t>& targets) {
+        test::writeBytes(folder / "h.heic", test::heicFile(color, grey, grey, apple, 1, 2, 2, targets));
+        return import(folder / "h.heic", "HEIC");
+    };
+    const core::ImportedPhoto one = read({1});
+    for (const std::vector<std::size_t>& targets : {std::vector<std::size_t>{1, 5}, {5, 1}, {5, 1, 5}}) {
+        const core::ImportedPhoto photo = read(targets);
+        EXPECT_EQ(photo.depth, one.depth);
+        EXPECT_EQ(photo.color, one.color);
+        EXPECT_EQ(photo.camera, one.camera);
+        EXPECT_EQ(photo.kind, DepthKind::Disparity);
+    }
+    // A last box without size ends where the file did.
+    std::string open = test::heicFile(color, grey, grey, apple, 1, 2, 2, {5, 1});
+    open.replace(open.find("mdat") - 4, 4, std::string(4, '\0'));
+    test::writeBytes(folder / "open.heic", open);
+    EXPECT_EQ(import(folder / "open.heic", "HEIC").depth, one.depth);
+}
+
 TEST_F(ImportTest, HeicColorIsDecodedByItsNclx) {
     const int w = 64;
     std::vector<std::vector<std::uint8_t>> planes(3);
