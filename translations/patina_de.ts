@@ -1302,6 +1302,10 @@
         <translation>Die Tiefe in „%1“ wird als „%2“ gelesen, obwohl sie laut Datei „%3“ ist.</translation>
     </message>
     <message>
+        <source>Cannot read &quot;%1&quot;: it is a camera raw file, expected a developed picture. Develop it in a raw converter, and save a TIFF, PNG or JPEG.</source>
+        <translation>„%1“ kann nicht gelesen werden: Es ist eine Rohdatei einer Kamera, erwartet wird ein entwickeltes Bild. Entwickeln Sie sie in einem Rohkonverter, und speichern Sie ein TIFF, PNG oder JPEG.</translation>
+    </message>
+    <message>
         <source>The depth inside &quot;%1&quot; has the unit &quot;%2&quot;, which is not known: 1 is taken as a metre. Give the metres per unit to set the true scale.</source>
         <translation>Die Tiefe in „%1“ hat die Einheit „%2“, die nicht bekannt ist: 1 gilt als ein Meter. Geben Sie die Meter pro Einheit an, um den wahren Maßstab einzustellen.</translation>
     </message>

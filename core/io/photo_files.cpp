@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/statistics.h"
+#include "core/io/import/camera_raw.h"
 #include "core/io/orientation.h"
 
 namespace core {
@@ -34,6 +35,7 @@ ImageInfo importedInfo(const ImportedPhoto& photo) {
 
 /// Photograph of a file that carries depth or that only an import format reads.
 std::optional<ImportedPhoto> importPhoto(const std::string& color, const std::string& depth) {
+    refuseCameraRaw(color);
     if (!depth.empty() && isImageFile(color)) return std::nullopt;
     const ImportFile file(color);
     const ImportFormat* format = findImportFormat(file);
