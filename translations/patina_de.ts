@@ -1313,6 +1313,14 @@
         <source>The index (MPF) of &quot;%1&quot; names a further picture that is not in the file: another program dropped it when it saved the photograph, and the depth with it if that was there. Take the original file, or give a depth map.</source>
         <translation>Das Verzeichnis (MPF) von „%1“ nennt ein weiteres Bild, das nicht in der Datei ist: Ein anderes Programm hat es beim Speichern des Fotos weggelassen, und mit ihm die Tiefe, falls sie dort war. Nehmen Sie die Originaldatei, oder geben Sie eine Tiefenkarte an.</translation>
     </message>
+    <message>
+        <source>it is a photograph without depth, expected a depth map</source>
+        <translation>Es ist ein Foto ohne Tiefe, erwartet wird eine Tiefenkarte</translation>
+    </message>
+    <message>
+        <source>it is a photograph whose depth another program dropped</source>
+        <translation>Es ist ein Foto, dessen Tiefe ein anderes Programm weggelassen hat</translation>
+    </message>
 </context>
 <context>
     <name>metals</name>

@@ -254,6 +254,30 @@ TEST_F(ImportTest, AppleDisparityWhoseIndexHasMoved) {
     }
 }
 
+TEST_F(ImportTest, DepthOfAnotherFileKeepsItsMeaning) {
+    const std::string apple = test::appleXmp("0.5", "2.5", 32, 16, {50, 0, 0, 0, 51, 0, 20, 10, 1});
+    const std::string second = test::withSegments(grey(16, 8, 100), test::xmpSegment(apple));
+    test::writeBytes(folder / "phone.jpg", test::mpfFile(grey(32, 16, 128), "", second));
+    test::writeBytes(folder / "developed.jpg", grey(64, 32, 90));
+    core::CreateOptions options;
+    options.color = folder / "developed.jpg";
+    options.depth = folder / "phone.jpg";
+    core::Notes notes;
+    const core::Scene scene = core::createScene(options, &notes);
+    EXPECT_EQ(scene.photo->camera, (core::Camera{64, 32, 100, 102, 40, 20}));
+    EXPECT_EQ(scene.photo->source.depthKind, DepthKind::Disparity);
+    EXPECT_NEAR(scene.photo->depth(30, 20), 1 / (0.5 + 100 / 255.0 * 2), 0.01);
+    EXPECT_NEAR(scene.photo->color.image()(3, 3).x(), linear(90), 0.01) << "the developed picture";
+    EXPECT_THAT(core::english(notes),
+                testing::Contains(testing::HasSubstr("intrinsics are taken from \"" + options.depth)));
+    core::saveProject(scene, folder / "p.patina");
+    EXPECT_EQ(core::loadProject(folder / "p.patina").photo->depth.image(), scene.photo->depth.image());
+
+    test::writeBytes(folder / "square.jpg", grey(32, 32, 90));
+    options.color = folder / "square.jpg";
+    test::expectError(ErrorKind::Input, {"16x8", "32x32", "phone.jpg"}, [&] { (void)core::createScene(options); });
+}
+
 TEST_F(ImportTest, HeicTakesTheDepthAndNotTheGainMap) {
     const int w = 256;
     const int h = 128;
