@@ -227,7 +227,8 @@ inline std::string heicFile(const HevcPicture& color, const HevcPicture& gain, c
     };
     const std::string references =
         none + refer("auxl", 2, auxiliaryOf) + refer("auxl", 3, auxiliaryOf) + refer("cdsc", 4, {3});
-    const std::vector<std::string> payloads{color.data, gain.data, depth.data, xmp};
+    std::vector<std::string> payloads{color.data, gain.data, depth.data, xmp};
+    if (toneMapped) payloads.emplace_back("tone map");
     const auto meta = [&](std::size_t begin) {
         std::string locations = none + std::string("\x44\0", 2) + bigEndian16(payloads.size());
         for (std::size_t i = 0; i < payloads.size(); ++i) {
