@@ -1390,6 +1390,26 @@
         <translation>Die Bearbeitungen verwenden %1 BRDFs aus .brdf.glsl-Dateien, möglich sind gleichzeitig höchstens %2.</translation>
     </message>
     <message>
+        <source>Cannot read &quot;%1&quot;: it is a camera raw file, expected a developed picture. Develop it in a raw converter, and save a TIFF, PNG or JPEG.</source>
+        <translation>„%1“ kann nicht gelesen werden: Es ist eine Rohdatei einer Kamera, erwartet wird ein entwickeltes Bild. Entwickeln Sie sie in einem Rohkonverter, und speichern Sie ein TIFF, PNG oder JPEG.</translation>
+    </message>
+    <message>
+        <source>The depth inside &quot;%1&quot; has the unit &quot;%2&quot;, which is not known: 1 is taken as a metre. Give the metres per unit to set the true scale.</source>
+        <translation>Die Tiefe in „%1“ hat die Einheit „%2“, die nicht bekannt ist: 1 gilt als ein Meter. Geben Sie die Meter pro Einheit an, um den wahren Maßstab einzustellen.</translation>
+    </message>
+    <message>
+        <source>The index (MPF) of &quot;%1&quot; names a further picture that is not in the file: another program dropped it when it saved the photograph, and the depth with it if that was there. Take the original file, or give a depth map.</source>
+        <translation>Das Verzeichnis (MPF) von „%1“ nennt ein weiteres Bild, das nicht in der Datei ist: Ein anderes Programm hat es beim Speichern des Fotos weggelassen, und mit ihm die Tiefe, falls sie dort war. Nehmen Sie die Originaldatei, oder geben Sie eine Tiefenkarte an.</translation>
+    </message>
+    <message>
+        <source>it is a photograph without depth, expected a depth map</source>
+        <translation>Es ist ein Foto ohne Tiefe, erwartet wird eine Tiefenkarte</translation>
+    </message>
+    <message>
+        <source>it is a photograph whose depth another program dropped</source>
+        <translation>Es ist ein Foto, dessen Tiefe ein anderes Programm weggelassen hat</translation>
+    </message>
+    <message>
         <source>The values of &quot;%1&quot; fill the range from 0 to %2 exactly, so this is probably relative depth, as networks give it, often with the largest value nearest. For that, give the kind &quot;inverse&quot; and a unit.</source>
         <translation>Die Werte von „%1“ füllen den Bereich von 0 bis %2 genau aus; wahrscheinlich ist es relative Tiefe, wie neuronale Netze sie liefern, bei der oft der größte Wert am nächsten liegt. Geben Sie dafür die Art „inverse“ und eine Einheit an.</translation>
     </message>

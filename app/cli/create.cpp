@@ -47,7 +47,10 @@ void addCreate(CLI::App& app, Session& session) {
         "  patina-cli create --color desk.jpg --depth desk_mm.png --segments desk_labels.png --glossy 2,5 \\\n"
         "      --hfov 66 -o desk.patina");
     command->add_option("--color", args->options.color, "Photograph")->required()->type_name("FILE");
-    command->add_option("--depth", args->options.depth, "Depth map; not needed when the photograph carries its depth")
+    command
+        ->add_option(
+            "--depth", args->options.depth,
+            "Depth map, or another photograph that carries its depth; not needed when the photograph carries its depth")
         ->type_name("FILE");
     CLI::Option* kind =
         command

@@ -111,19 +111,34 @@ std::vector<float> parseNumbers(const std::string& option, const std::string& te
 }
 
 std::pair<std::string, std::string> parseAssignment(const std::string& option, const std::string& text) {
-    const std::size_t at = text.find('=');
+    std::size_t at = text.find('=');
+    for (std::size_t k = at; k != std::string::npos; k = text.find('=', k + 1)) {
+        const std::size_t value = text.find_first_not_of(" \t\r\n", k + 1);
+        if (value == std::string::npos) break;
+        at = k;
+        if (text[value] == '{') break;
+    }
     if (at == std::string::npos || at == 0)
         throw core::Error(core::ErrorKind::Usage, option + " is \"" + text + "\", expected LABEL=VALUE.");
     return {text.substr(0, at), text.substr(at + 1)};
 }
 
 core::Segment& requireSegment(core::Scene& scene, const std::string& labelOrName) {
-    if (core::Segment* segment = scene.findSegment(labelOrName)) return *segment;
+    std::vector<core::Segment*> meant;
     std::string known;
-    for (const core::Segment& segment : scene.segments)
-        known += (known.empty() ? "" : ", ") + std::to_string(segment.label) + " \"" + segment.name + "\"";
-    throw core::Error(core::ErrorKind::Usage, "There is no segment \"" + labelOrName + "\"; the project has " +
-                                                  (known.empty() ? "none" : known) + ".");
+    for (core::Segment& segment : scene.segments) {
+        const std::string words = std::to_string(segment.label) + " \"" + segment.name + "\"";
+        known += (known.empty() ? "" : ", ") + words;
+        if (segment.name == labelOrName || std::to_string(segment.label) == labelOrName) meant.push_back(&segment);
+    }
+    if (meant.size() == 1) return *meant.front();
+    if (meant.empty())
+        throw core::Error(core::ErrorKind::Usage, "There is no segment \"" + labelOrName + "\"; the project has " +
+                                                      (known.empty() ? "none" : known) + ".");
+    throw core::Error(core::ErrorKind::Usage, "The segment \"" + labelOrName +
+                                                  "\" is ambiguous: it is the label or the name of " +
+                                                  std::to_string(meant.size()) + " segments; the project has " + known +
+                                                  ". Use the label or the name that only one segment has.");
 }
 
 void refuseOverwritingInput(const core::Scene& scene, const std::string& project, const std::string& output) {

@@ -54,9 +54,11 @@ void printNotes(std::span<const core::Message> notes);
 
 /// `text` as `count` numbers separated by commas; throws Error(Usage) naming the option.
 [[nodiscard]] std::vector<float> parseNumbers(const std::string& option, const std::string& text, std::size_t count);
-/// Splits "LABEL=VALUE" at the first "="; throws Error(Usage) naming the option.
+/// Splits "LABEL=VALUE" where names may contain "=": before a value in braces, otherwise at the last "=". Throws
+/// Error(Usage) naming the option.
 [[nodiscard]] std::pair<std::string, std::string> parseAssignment(const std::string& option, const std::string& text);
-/// The segment with this label or name; throws Error(Usage) that lists the segments.
+/// The segment with this label or name; throws Error(Usage) that lists the segments when there is none, or
+/// more than one.
 [[nodiscard]] core::Segment& requireSegment(core::Scene& scene, const std::string& labelOrName);
 /// Throws Error(Usage) if writing `output` would replace the project or one of its input files.
 void refuseOverwritingInput(const core::Scene& scene, const std::string& project, const std::string& output);

@@ -29,6 +29,13 @@ PhotoContents contentsOf(const PhotoFiles& files) {
     contents.hfov = fieldOfView(contents.width, contents.height, files.info.focal35mm);
     contents.depthWidth = files.depth.width();
     contents.depthHeight = files.depth.height();
+    if (files.depthImported) {
+        const ImportedPhoto& other = *files.depthImported;
+        if (other.camera) contents.hfov = 2 * std::atan(0.5f * static_cast<float>(contents.width) / other.camera->fx);
+        contents.kind = other.kind;
+        contents.unit = other.unit;
+        contents.unitStated = other.assumedUnit.empty();
+    }
     if (!files.imported) return contents;
     const ImportedPhoto& photo = *files.imported;
     contents.device =

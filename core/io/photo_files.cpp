@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/statistics.h"
+#include "core/io/import/camera_raw.h"
 #include "core/io/orientation.h"
 
 namespace core {
@@ -35,6 +36,7 @@ ImageInfo importedInfo(const ImportedPhoto& photo) {
 
 /// Photograph of a file that carries depth or that only an import format reads.
 std::optional<ImportedPhoto> importPhoto(const std::string& color, const std::string& depth) {
+    refuseCameraRaw(color);
     if (!depth.empty() && isImageFile(color)) return std::nullopt;
     const ImportFile file(color);
     const ImportFormat* format = findImportFormat(file);
@@ -57,6 +59,28 @@ ImageF withoutMixedDepth(ImageF depth, const ImageF& coverage) {
     for (std::size_t i = 0; i < depth.size(); ++i)
         if (!(coverage[i] >= kOpaque)) depth[i] = 0;
     return depth;
+}
+
+/// The depth of another photograph, in the layout in which both are displayed. nullopt when `path` is a plain map; an
+/// EXR file is read as one.
+std::optional<ImportedPhoto> importDepth(const std::string& path) {
+    const ImportFile file(path);
+    const ImportFormat* format = findImportFormat(file);
+    if (format == nullptr || format == &exrDepthFormat) return std::nullopt;
+    ImportedPhoto photo = format->read(file);
+    if (photo.depth.empty())
+        file.fail(photo.remarks.empty()
+                      ? Message("messages", "it is a photograph without depth, expected a depth map")
+                      : Message("messages", "it is a photograph whose depth another program dropped"));
+    photo.depth = withoutMixedDepth(std::move(photo.depth), photo.coverage);
+    return photo;
+}
+
+/// The camera of a photograph whose pixels were resampled to this size.
+Camera resized(const Camera& camera, int width, int height) {
+    const float sx = static_cast<float>(width) / static_cast<float>(camera.width);
+    const float sy = static_cast<float>(height) / static_cast<float>(camera.height);
+    return {width, height, camera.fx * sx, camera.fy * sy, camera.cx * sx, camera.cy * sy};
 }
 
 bool isLength(DepthKind kind) { return kind == DepthKind::Z || kind == DepthKind::Distance; }
@@ -128,7 +152,15 @@ PhotoFiles readStoredDepth(const std::string& color, const std::string& depth) {
     camera.width = files.info.width;
     camera.height = files.info.height;
     const Message what("messages", "Depth image");
-    if (!depth.empty()) {
+    if (!depth.empty()) files.depthImported = importDepth(depth);
+    if (files.depthImported) {
+        ImportedPhoto& other = *files.depthImported;
+        files.depth = matchOrientation(std::move(other.depth), depth, what, camera, 1, 1, color);
+        if (other.camera) other.camera = resized(*other.camera, camera.width, camera.height);
+        other.color = {};
+        other.depth = {};
+        other.coverage = {};
+    } else if (!depth.empty()) {
         files.depthFormat = storedFormat(depth);
         files.depth = readMapFile(depth, camera, files.info.orientation, color, what, &files.depthRemarks);
     } else if (files.imported && !files.imported->depth.empty()) {
@@ -148,7 +180,7 @@ void readColor(PhotoFiles& files) {
 }
 
 bool needsUnit(const PhotoFiles& files, DepthKind kind) {
-    if (files.depthPath.empty() || files.depthFormat.floating) return false;
+    if (files.depthPath.empty() || files.depthImported || files.depthFormat.floating) return false;
     return files.depthFormat.bits != 16 || !isLength(kind);
 }
 

@@ -20,6 +20,9 @@ struct PhotoFiles {
     ImageInfo info;         ///< of the colour
     /// What an import format found, without colour and depth, which are below; nullopt = the colour is a plain picture.
     std::optional<ImportedPhoto> imported;
+    /// What the file `depthPath` says about its depth when it is another photograph that carries depth; without images,
+    /// and with its camera for the colour of this one.
+    std::optional<ImportedPhoto> depthImported;
     SharedImage<Vector3f> color;  ///< scene-linear Rec.709; empty until `readColor`
     Notes colorRemarks;
     Notes depthRemarks;
@@ -27,13 +30,19 @@ struct PhotoFiles {
     ImageF depth;
     StoredFormat depthFormat;  ///< of a separate depth map
 
+    /// What a file of photograph and depth says about the depth; null when it is a plain map.
+    [[nodiscard]] const ImportedPhoto* depthStatements() const {
+        if (depthPath.empty()) return imported ? &*imported : nullptr;
+        return depthImported ? &*depthImported : nullptr;
+    }
     [[nodiscard]] bool hasDepth() const { return !depth.empty(); }
     /// The file that the depth comes from.
     [[nodiscard]] const std::string& depthFile() const { return depthPath.empty() ? colorPath : depthPath; }
 };
 
-/// Reads the depth of a photograph: the map `depth`, or with "" what is inside `color`. Throws Error(Input) for files
-/// that cannot be read, and for a map of another shape; a photograph without depth is none.
+/// Reads the depth of a photograph: the map `depth`, or with "" what is inside `color`. `depth` may also be a
+/// photograph that carries its depth, of the same shape: what a phone took, where `color` was developed from it. Throws
+/// Error(Input) for files that cannot be read, and for a map of another shape; a photograph without depth is none.
 [[nodiscard]] PhotoFiles readStoredDepth(const std::string& color, const std::string& depth);
 
 /// Reads the colour if it is not there yet. Throws Error(Input).

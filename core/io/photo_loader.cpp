@@ -65,9 +65,9 @@ Camera withPixelAspect(Camera camera, const ImageInfo& info, const std::string& 
     return camera;
 }
 
-/// The requested camera, or the `stated` one of the photograph's file, or one from its focal length.
+/// The requested camera, or the `stated` one of the file `statedBy`, or one from its focal length.
 Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, const std::optional<Camera>& stated,
-                    Notes* notes) {
+                    const std::string& statedBy, Notes* notes) {
     const int w = info.width;
     const int h = info.height;
     const std::string& path = request.source.color;
@@ -92,12 +92,12 @@ Camera chooseCamera(const PhotoRequest& request, const ImageInfo& info, const st
     }
     if (stated) {
         if (isSensible(*stated)) {
-            note(notes,
-                 Message("messages", "The intrinsics are taken from \"%1\": %2.").with(path, intrinsicsText(*stated)));
+            note(notes, Message("messages", "The intrinsics are taken from \"%1\": %2.")
+                            .with(statedBy, intrinsicsText(*stated)));
             return *stated;
         }
         note(notes, Message("messages", "The intrinsics in \"%1\" are ignored, because they fit no camera: %2.")
-                        .with(path, intrinsicsText(*stated)));
+                        .with(statedBy, intrinsicsText(*stated)));
     }
     if (info.focal35mm) {
         const auto aspect = static_cast<double>(info.pixelAspect);
@@ -183,7 +183,8 @@ ImageF withoutInvalidCode(const PhotoFiles& files, DepthKind kind, Notes* notes)
     constexpr float kCode = 65535;
     constexpr float kFarBelow = 0.75f * kCode;
     const bool lengths = kind == DepthKind::Z || kind == DepthKind::Distance;
-    if (files.depthPath.empty() || files.depthFormat.floating || files.depthFormat.bits != 16 || !lengths)
+    if (files.depthStatements() != nullptr || files.depthPath.empty() || files.depthFormat.floating ||
+        files.depthFormat.bits != 16 || !lengths)
         return files.depth;
     std::size_t codes = 0;
     for (const float value : files.depth.pixels()) {
@@ -205,7 +206,9 @@ ImageF withoutInvalidCode(const PhotoFiles& files, DepthKind kind, Notes* notes)
 
 /// Networks stretch relative depth over the full range of the file.
 void noteRelativeDepth(const PhotoFiles& files, const ImageF& stored, DepthKind kind, Notes* notes) {
-    if (files.depthPath.empty() || stored.empty() || (kind != DepthKind::Z && kind != DepthKind::Distance)) return;
+    if (files.depthStatements() != nullptr || files.depthPath.empty() || stored.empty() ||
+        (kind != DepthKind::Z && kind != DepthKind::Distance))
+        return;
     const float largest = files.depthFormat.floating ? 1.0f : std::exp2(static_cast<float>(files.depthFormat.bits)) - 1;
     const auto [least, most] = std::ranges::minmax(stored.pixels());
     if (least != 0 || most != largest) return;
@@ -229,11 +232,12 @@ void noteMissingDepth(const std::string& path, Notes* notes) {
 
 /// Kind and unit of depth inside the photograph's file, as the user or the file says.
 void chooseMeaning(const ImportedPhoto& imported, const PhotoRequest& request, PhotoSource& source, Notes* notes) {
+    const std::string& path = source.depth.empty() ? source.color : source.depth;
     source.depthKind = request.depthKind.value_or(imported.kind.value_or(DepthKind::Z));
     if (imported.kind && source.depthKind != *imported.kind)
         note(notes,
              Message("messages", "The depth inside \"%1\" is read as \"%2\", although the file says that it is \"%3\".")
-                 .with(source.color, wordOf(source.depthKind), wordOf(*imported.kind))
+                 .with(path, wordOf(source.depthKind), wordOf(*imported.kind))
                  .about(Setting::DepthUnitOrKind));
     const auto given = requestedUnit(request);
     source.depthUnit = given.value_or(imported.unit);
@@ -274,8 +278,9 @@ std::shared_ptr<const Photo> finishPhoto(const PhotoFiles& files, const PhotoReq
     const float enlargeEnd = enlarged ? kEnlargeEnd : 0.0f;
     if (enlarged) enlargeDepth(*photo, files.depthFile(), notes, progress.part(0, enlargeEnd));
     progress.checkpoint(enlargeEnd);
-    if (files.imported)
-        for (const Message& remark : files.imported->remarks) note(notes, remark);
+    for (const auto* photograph : {&files.imported, &files.depthImported})
+        if (*photograph)
+            for (const Message& remark : (*photograph)->remarks) note(notes, remark);
     const PhotoSource& source = photo->source;
     if (source.segments.empty()) {
         photo->labels = LabelImage(camera.width, camera.height, 0);
@@ -312,13 +317,17 @@ PhotoReading interpretPhoto(const PhotoFiles& files, const PhotoRequest& request
     reading.source = request.source;
     PhotoSource& source = reading.source;
     source.depthKind = request.depthKind.value_or(DepthKind::Z);
-    reading.camera = chooseCamera(request, files.info, files.imported ? files.imported->camera : std::nullopt, notes);
+    const bool fromDepth = files.depthImported && files.depthImported->camera;
+    const std::optional<Camera> stated = fromDepth        ? files.depthImported->camera
+                                         : files.imported ? files.imported->camera
+                                                          : std::nullopt;
+    reading.camera = chooseCamera(request, files.info, stated, fromDepth ? source.depth : source.color, notes);
     if (!files.hasDepth()) {
         noteMissingDepth(source.color, notes);
         return reading;
     }
-    if (source.depth.empty())
-        chooseMeaning(*files.imported, request, source, notes);
+    if (const ImportedPhoto* statements = files.depthStatements())
+        chooseMeaning(*statements, request, source, notes);
     else
         source.depthUnit = chooseUnit(request, files, source.depthKind);
     for (const Message& remark : files.depthRemarks) note(notes, remark);

@@ -107,6 +107,21 @@ class UsageTest(CliTest):
         self.fails(2, ["sleep", "march"], "bench", "sleep", "--project", project)
         self.fails(2, ["not glossy"], "export", project, "--layer", "incident:2", "-o", self.path("o.png"))
 
+    def test_names_with_equals_signs_and_digits(self):
+        project = self.small_project()
+        with open(project, encoding="utf-8") as file:
+            document = json.load(file)
+        first, second = document["segments"][:2]
+        first["name"], second["name"] = "cup=red", str(first["label"])
+        with open(project, "w", encoding="utf-8") as file:
+            json.dump(document, file)
+        self.fails(2, ["ambiguous", "cup=red"], "render", project, "--edit", '%d={"brdf":"lambert"}' % first["label"], "-o",
+                   self.path("o.png"))
+        self.fails(2, ["ambiguous"], "render", project, "--reflectance", "%d=1,0,0" % first["label"], "-o",
+                   self.path("o.png"))
+        for arguments in (("--edit", 'cup=red={"brdf": "lambert", "albedo": [0, 1, 0]}'), ("--reflectance", "cup=red=1,0,0")):
+            self.run_cli("render", project, "--samples", "1", *arguments, "-o", self.path("o.png"))
+
     def test_edits_that_are_wrong(self):
         project = self.small_project()
         for edit, parts in (('1', ["LABEL=VALUE"]), ('1={"brdf":', ["JSON", "damaged"]),

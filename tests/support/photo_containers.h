@@ -185,10 +185,12 @@ inline HevcPicture encodeHevc(int width, int height, const std::vector<std::vect
 }
 
 /// A HEIC file: `color` is the primary picture, `gain` and `depth` are auxiliary ones, in this order, and `xmp`
-/// describes the depth. `turns` counter-clockwise quarter turns are applied to all when they are shown. `primaries` and
-/// `transfer` are the values of the nclx box, unspecified by default.
+/// describes the depth. Items that `auxiliaryOf` names beside the primary one (1) are, as a tone-mapped picture is for
+/// programs that do not know it, of a type of their own. `turns` counter-clockwise quarter turns are applied to all
+/// when they are shown. `primaries` and `transfer` are the values of the nclx box, unspecified by default.
 inline std::string heicFile(const HevcPicture& color, const HevcPicture& gain, const HevcPicture& depth,
-                            const std::string& xmp, int turns, std::size_t primaries = 2, std::size_t transfer = 2) {
+                            const std::string& xmp, int turns, std::size_t primaries = 2, std::size_t transfer = 2,
+                            const std::vector<std::size_t>& auxiliaryOf = {1}) {
     const std::string none(4, '\0');  // version and flags
     const auto extent = [&](const HevcPicture& picture) {
         return box("ispe", none + bigEndian32(static_cast<std::uint32_t>(picture.width)) +
@@ -213,14 +215,20 @@ inline std::string heicFile(const HevcPicture& color, const HevcPicture& gain, c
         return box("infe", std::string("\x02\0\0\0", 4) + bigEndian16(static_cast<std::size_t>(item)) + bigEndian16(0) +
                                type + rest);
     };
-    const std::string items = none + bigEndian16(4) + entry(1, "hvc1", std::string(1, '\0')) +
+    const bool toneMapped = auxiliaryOf.size() > 1;
+    const std::string items = none + bigEndian16(toneMapped ? 5 : 4) + entry(1, "hvc1", std::string(1, '\0')) +
                               entry(2, "hvc1", std::string(1, '\0')) + entry(3, "hvc1", std::string(1, '\0')) +
-                              entry(4, "mime", std::string("\0application/rdf+xml\0", 21));
-    const auto refer = [](const std::string& type, std::size_t from, std::size_t to) {
-        return box(type, bigEndian16(from) + bigEndian16(1) + bigEndian16(to));
+                              entry(4, "mime", std::string("\0application/rdf+xml\0", 21)) +
+                              (toneMapped ? entry(5, "tmap", std::string(1, '\0')) : "");
+    const auto refer = [](const std::string& type, std::size_t from, const std::vector<std::size_t>& targets) {
+        std::string content = bigEndian16(from) + bigEndian16(targets.size());
+        for (const std::size_t target : targets) content += bigEndian16(target);
+        return box(type, content);
     };
-    const std::string references = none + refer("auxl", 2, 1) + refer("auxl", 3, 1) + refer("cdsc", 4, 3);
-    const std::vector<std::string> payloads{color.data, gain.data, depth.data, xmp};
+    const std::string references =
+        none + refer("auxl", 2, auxiliaryOf) + refer("auxl", 3, auxiliaryOf) + refer("cdsc", 4, {3});
+    std::vector<std::string> payloads{color.data, gain.data, depth.data, xmp};
+    if (toneMapped) payloads.emplace_back("tone map");
     const auto meta = [&](std::size_t begin) {
         std::string locations = none + std::string("\x44\0", 2) + bigEndian16(payloads.size());
         for (std::size_t i = 0; i < payloads.size(); ++i) {

@@ -184,8 +184,12 @@ TEST_F(ImportHostileTest, PictureIndexThatPointsElsewhere) {
     EXPECT_GT(core::createScene(options).photo->depth(0, 0), 0);
 
     expectRefused("cut.jpg", whole.substr(0, whole.size() - 10), {"truncated", "MPF"});
-    expectRefused("beyond.jpg", test::withSegments(front, test::mpfSegment(0xfffffff0U, 100)), {"MPF"});
-    expectRefused("endless.jpg", test::withSegments(front, test::mpfSegment(10, 0xffffffffU)), {"MPF"});
+    expectWithoutDepth("beyond.jpg", test::withSegments(front, test::mpfSegment(0xfffffff0U, 100)));
+    expectWithoutDepth("endless.jpg", test::withSegments(front, test::mpfSegment(10, 0xffffffffU)));
+    // Starts of pictures without end take no time.
+    std::string starts;
+    for (int i = 0; i < 200'000; ++i) starts += "\xff\xd8\xff";
+    expectWithoutDepth("starts.jpg", front + starts);
     expectWithoutDepth("nowhere.jpg", test::withSegments(front, test::mpfSegment(5, 50)));
     expectNoCrash("m.jpg", whole, 10, 13);
 
@@ -271,6 +275,35 @@ TEST_F(ImportHostileTest, CloudThatIsNoPhotograph) {
     expectRefused("random.pcd", cloud(text, ""), {"pin-hole"});
 }
 
+TEST_F(ImportHostileTest, CameraRawIsNoPhotograph) {
+    const auto little = [](std::size_t value, std::size_t size) {
+        std::string bytes;
+        for (std::size_t i = 0; i < size; ++i) bytes += static_cast<char>(value >> 8U * i & 0xffU);
+        return bytes;
+    };
+    const auto entry = [&](std::size_t tag, std::size_t type, std::size_t count, std::size_t value) {
+        return little(tag, 2) + little(type, 2) + little(count, 4) + little(value, 4);
+    };
+    // A preview, and the sensor's values in a directory below it.
+    const auto raw = [&](std::size_t photometric, std::size_t next) {
+        return std::string("II*\0", 4) + little(8, 4) + little(2, 2) + entry(254, 4, 1, 1) + entry(330, 4, 1, 40) +
+               little(next, 4) + little(0, 2) + little(2, 2) + entry(254, 4, 1, 0) + entry(262, 3, 1, photometric) +
+               little(next, 4);
+    };
+    expectRefused("mosaic.dng", raw(32803, 0), {"camera raw", "developed"});
+    expectRefused("linear.dng", raw(34892, 0), {"camera raw"});
+    expectRefused("f.raf", "FUJIFILMCCD-RAW 0201", {"camera raw"});
+    expectRefused("c.cr3", std::string("\0\0\0\x18", 4) + "ftypcrx isom", {"camera raw"});
+    test::writeBytes(folder / "mosaic.dng", raw(32803, 0));
+    core::CreateOptions options;
+    options.color = options.depth = folder / "mosaic.dng";
+    test::expectError(ErrorKind::Input, {"camera raw"}, [&] { (void)core::createScene(options); });
+    // Directories in a circle, and those beyond the end.
+    for (const std::size_t next : {std::size_t{8}, std::size_t{40}, std::size_t{0xfffffff0U}})
+        expectRefused("round.tif", raw(2, next), {});
+    expectNoCrash("r.dng", raw(32803, 0), 1, 1);
+}
+
 TEST_F(ImportHostileTest, DamagedHeic) {
     const std::vector<std::uint8_t> plane(64 * 64, 100);
     const test::HevcPicture picture = test::encodeHevc(64, 64, {plane});
@@ -285,4 +318,5 @@ TEST_F(ImportHostileTest, DamagedHeic) {
     expectRefused("cut.heic", whole.substr(0, whole.size() / 2), {});
     expectRefused("head.heic", whole.substr(0, 40), {});
     expectNoCrash("d.heic", whole, 4, 17);
+    expectNoCrash("t.heic", test::heicFile(color, picture, picture, apple, 0, 2, 2, {5, 1}), 4, 17);
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "core/base/color.h"
 #include "core/io/depth_beside.h"
@@ -103,6 +104,23 @@ TEST_F(ImportTest, GoogleDepthLinearAlongTheRayInMillimetres) {
     EXPECT_EQ(photo.assumedUnit, "");
     EXPECT_EQ(photo.kind, DepthKind::Distance);
     EXPECT_NEAR(photo.color(3, 2).x(), linear(50), 0.01);
+}
+
+TEST_F(ImportTest, GoogleDepthInTheSecondPacketWithCommasAndOtherUnits) {
+    const std::string rating =
+        test::xmpSegment(test::xmpText("xmlns:xmp=\"http://ns.adobe.com/xap/1.0/\"", "xmp:Rating=\"5\""));
+    const auto read = [&](const std::string& units) {
+        writeGdepth(folder / "g.jpg", "GDepth:Format=\"RangeLinear\" GDepth:Near=\"0,5\" GDepth:Far=\"3,05\" " + units);
+        test::writeBytes(folder / "g.jpg", test::withSegments(test::readBytes(folder / "g.jpg"), rating));
+        return import(folder / "g.jpg", "Google");
+    };
+    const core::ImportedPhoto photo = read("GDepth:Units=\"cm\"");
+    EXPECT_NEAR(photo.depth(5, 1), 0.5 + 0.01 * 110, 1e-5);
+    EXPECT_EQ(photo.unit, 0.01);
+    EXPECT_EQ(photo.assumedUnit, "");
+    EXPECT_EQ(read("GDepth:Units=\"Meters\"").assumedUnit, "");
+    EXPECT_THAT(read("GDepth:Units=\"furlong\"").assumedUnit.english(), testing::HasSubstr("\"furlong\""));
+    EXPECT_THAT(read("").assumedUnit.english(), testing::HasSubstr("has no unit"));
 }
 
 TEST_F(ImportTest, DepthTurnsWithThePhotograph) {
@@ -210,6 +228,56 @@ TEST_F(ImportTest, AppleDisparityInTheSecondPicture) {
     EXPECT_EQ(*turned.camera, (core::Camera{16, 32, 25.5f, 25, 8.5f, 10}));
 }
 
+TEST_F(ImportTest, AppleDisparityWhoseIndexHasMoved) {
+    const std::string apple = test::appleXmp("0.5", "2.5", 32, 16, {50, 0, 0, 0, 51, 0, 20, 15, 1});
+    const std::string second = test::withSegments(grey(16, 8, 100), test::xmpSegment(apple));
+    const std::string front = grey(32, 16, 128);
+    const std::string whole = test::mpfFile(front, "", second);
+    test::writeBytes(folder / "whole.jpg", whole);
+    const core::ImageF depth = import(folder / "whole.jpg", "MPF").depth;
+    // Another program puts a segment before the index, and leaves its offsets.
+    const std::string keyword = test::jpegSegment(0xed, std::string(566, 'k'));
+    test::writeBytes(folder / "moved.jpg", test::withSegments(whole, keyword));
+    EXPECT_EQ(import(folder / "moved.jpg", "MPF").depth, depth);
+    test::writeBytes(folder / "tail.jpg", test::withSegments(whole, keyword) + std::string(5000, 'v'));
+    EXPECT_EQ(import(folder / "tail.jpg", "MPF").depth, depth);
+    test::writeBytes(folder / "noindex.jpg", test::withSegments(front, keyword) + second);
+    EXPECT_EQ(import(folder / "noindex.jpg", "MPF").depth, depth);
+
+    const std::string first = whole.substr(0, whole.size() - second.size());
+    for (const std::string& tail : {std::string(), std::string(5000, 'v')}) {
+        test::writeBytes(folder / "dropped.jpg", first + tail);
+        const core::ImportedPhoto photo = import(folder / "dropped.jpg", "MPF");
+        EXPECT_TRUE(photo.depth.empty());
+        ASSERT_EQ(photo.remarks.size(), 1U);
+        EXPECT_THAT(photo.remarks[0].english(), testing::HasSubstr("another program dropped it"));
+    }
+}
+
+TEST_F(ImportTest, DepthOfAnotherFileKeepsItsMeaning) {
+    const std::string apple = test::appleXmp("0.5", "2.5", 32, 16, {50, 0, 0, 0, 51, 0, 20, 10, 1});
+    const std::string second = test::withSegments(grey(16, 8, 100), test::xmpSegment(apple));
+    test::writeBytes(folder / "phone.jpg", test::mpfFile(grey(32, 16, 128), "", second));
+    test::writeBytes(folder / "developed.jpg", grey(64, 32, 90));
+    core::CreateOptions options;
+    options.color = folder / "developed.jpg";
+    options.depth = folder / "phone.jpg";
+    core::Notes notes;
+    const core::Scene scene = core::createScene(options, &notes);
+    EXPECT_EQ(scene.photo->camera, (core::Camera{64, 32, 100, 102, 40, 20}));
+    EXPECT_EQ(scene.photo->source.depthKind, DepthKind::Disparity);
+    EXPECT_NEAR(scene.photo->depth(30, 20), 1 / (0.5 + 100 / 255.0 * 2), 0.01);
+    EXPECT_NEAR(scene.photo->color.image()(3, 3).x(), linear(90), 0.01) << "the developed picture";
+    EXPECT_THAT(core::english(notes),
+                testing::Contains(testing::HasSubstr("intrinsics are taken from \"" + options.depth)));
+    core::saveProject(scene, folder / "p.patina");
+    EXPECT_EQ(core::loadProject(folder / "p.patina").photo->depth.image(), scene.photo->depth.image());
+
+    test::writeBytes(folder / "square.jpg", grey(32, 32, 90));
+    options.color = folder / "square.jpg";
+    test::expectError(ErrorKind::Input, {"16x8", "32x32", "phone.jpg"}, [&] { (void)core::createScene(options); });
+}
+
 TEST_F(ImportTest, HeicTakesTheDepthAndNotTheGainMap) {
     const int w = 256;
     const int h = 128;
@@ -241,6 +309,31 @@ TEST_F(ImportTest, HeicTakesTheDepthAndNotTheGainMap) {
     EXPECT_EQ(turned.depth, core::applyOrientation(photo.depth, 6));
     EXPECT_NEAR(turned.color(h - 20, 20).x(), linear(220), 0.05);
     EXPECT_EQ(*turned.camera, (core::Camera{h, w, 101, 100, h - 40, 60}));
+}
+
+TEST_F(ImportTest, HeicWhoseDepthBelongsToTwoPictures) {
+    std::vector<std::uint8_t> ramp;
+    for (int i = 0; i < 64 * 64; ++i) ramp.push_back(static_cast<std::uint8_t>(i % 64 * 3));
+    const test::HevcPicture grey = test::encodeHevc(64, 64, {ramp});
+    const test::HevcPicture color = test::encodeHevc(64, 64, {ramp, ramp, ramp});
+    const std::string apple = test::appleXmp("1", "3", 64, 64, {100, 0, 0, 0, 101, 0, 30, 30, 1});
+    const auto read = [&](const std::vector<std::size_t>& targets) {
+        test::writeBytes(folder / "h.heic", test::heicFile(color, grey, grey, apple, 1, 2, 2, targets));
+        return import(folder / "h.heic", "HEIC");
+    };
+    const core::ImportedPhoto one = read({1});
+    for (const std::vector<std::size_t>& targets : {std::vector<std::size_t>{1, 5}, {5, 1}, {5, 1, 5}}) {
+        const core::ImportedPhoto photo = read(targets);
+        EXPECT_EQ(photo.depth, one.depth);
+        EXPECT_EQ(photo.color, one.color);
+        EXPECT_EQ(photo.camera, one.camera);
+        EXPECT_EQ(photo.kind, DepthKind::Disparity);
+    }
+    // A last box without size ends where the file did.
+    std::string open = test::heicFile(color, grey, grey, apple, 1, 2, 2, {5, 1});
+    open.replace(open.find("mdat") - 4, 4, std::string(4, '\0'));
+    test::writeBytes(folder / "open.heic", open);
+    EXPECT_EQ(import(folder / "open.heic", "HEIC").depth, one.depth);
 }
 
 TEST_F(ImportTest, HeicColorIsDecodedByItsNclx) {
@@ -356,6 +449,24 @@ TEST_F(ImportTest, PointCloudsInEveryLayout) {
         EXPECT_NEAR(photo.color(3, 4).y(), linear(100), 1e-5);
         EXPECT_NEAR(photo.color(3, 4).z(), linear(30), 1e-5);
     }
+}
+
+TEST_F(ImportTest, PointsWithoutXOrYAreHoles) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const int w = 20, h = 15;
+    std::string points;
+    for (int v = 0; v < h; ++v)
+        for (int u = 0; u < w; ++u) {
+            const float z = u < 3 ? 5 : 1;
+            const float x = u == 0 || u == 1 ? nan : (static_cast<float>(u) + 0.5f - 10) / 20 * z;
+            const float y = u == 0 || u == 2 ? nan : (static_cast<float>(v) + 0.5f - 7) / 20 * z;
+            const std::uint32_t color = 0xff808080U;
+            points += raw(&x) + raw(&y) + raw(&z) + raw(&color);
+        }
+    test::writeBytes(folder / "p.pcd", cloudHeader(w, h, "binary") + points);
+    const core::ImageF depth = import(folder / "p.pcd", "PCD").depth;
+    for (int u = 0; u < w; ++u) EXPECT_EQ(std::isnan(depth(u, 4)), u < 3) << u;
+    EXPECT_EQ(depth(3, 4), 1);
 }
 
 TEST_F(ImportTest, LzfReferencesThatOverlap) {

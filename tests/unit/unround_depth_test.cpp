@@ -18,14 +18,15 @@ using core::ImageF;
 using core::analysis::findDepthRounding;
 using core::analysis::unroundDepth;
 
-constexpr int kSide = 160;
-constexpr float kFocal = 200;
+constexpr int kPictureSide = 160;
+constexpr float kFocalLength = 200;
 using Surface = std::function<float(float, float)>;  // inverse depth [1/m] at a pixel
 
 ImageF depthOf(const Surface& surface, const std::function<float(float)>& stored) {
-    ImageF depth(kSide, kSide);
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) depth(x, y) = stored(surface(static_cast<float>(x), static_cast<float>(y)));
+    ImageF depth(kPictureSide, kPictureSide);
+    for (int y = 0; y < kPictureSide; ++y)
+        for (int x = 0; x < kPictureSide; ++x)
+            depth(x, y) = stored(surface(static_cast<float>(x), static_cast<float>(y)));
     return depth;
 }
 
@@ -40,7 +41,7 @@ float exact(float w) { return 1 / w; }
 /// A ball of 60 pixels in front of a wall that is tilted.
 float ballAndWall(float x, float y) {
     const float r2 = (x - 80) * (x - 80) + (y - 76) * (y - 76);
-    if (r2 < 60 * 60) return 1 / (1.0f - std::sqrt(60 * 60 - r2) / kFocal);
+    if (r2 < 60 * 60) return 1 / (1.0f - std::sqrt(60 * 60 - r2) / kFocalLength);
     return 0.5f + 0.0003f * x + 0.0002f * y;
 }
 
@@ -49,8 +50,8 @@ float plane(float x, float y) { return 0.7f + 0.0011f * x - 0.0007f * y; }
 /// Median error of the slope [degrees] where the surface is smooth over two pixels.
 double medianTilt(const ImageF& depth, const Surface& surface) {
     std::vector<double> tilts;
-    for (int y = 2; y + 2 < kSide; ++y) {
-        for (int x = 2; x + 2 < kSide; ++x) {
+    for (int y = 2; y + 2 < kPictureSide; ++y) {
+        for (int x = 2; x + 2 < kPictureSide; ++x) {
             const auto u = static_cast<float>(x), v = static_cast<float>(y);
             const float w = surface(u, v);
             if (std::abs(surface(u + 2, v) - 2 * w + surface(u - 2, v)) > 0.02f ||
@@ -58,7 +59,7 @@ double medianTilt(const ImageF& depth, const Surface& surface) {
                 continue;
             const float du = 1 / depth(x + 1, y) - 1 / depth(x - 1, y) - surface(u + 1, v) + surface(u - 1, v);
             const float dv = 1 / depth(x, y + 1) - 1 / depth(x, y - 1) - surface(u, v + 1) + surface(u, v - 1);
-            tilts.push_back(std::atan(static_cast<double>(0.5f * std::hypot(du, dv) * kFocal / w)) * 57.2958);
+            tilts.push_back(std::atan(static_cast<double>(0.5f * std::hypot(du, dv) * kFocalLength / w)) * 57.2958);
         }
     }
     std::ranges::nth_element(tilts, tilts.begin() + static_cast<std::ptrdiff_t>(tilts.size() / 2));
@@ -85,8 +86,8 @@ TEST(UnroundDepth, ExactDepthIsUnchangedBitForBit) {
         EXPECT_TRUE(std::ranges::equal(result.pixels(), depth.pixels()));
     }
     EXPECT_FALSE(findDepthRounding(depthOf(ballAndWall, disparity(14)))) << "fine rounding is the filter's business";
-    EXPECT_FALSE(findDepthRounding(ImageF(kSide, kSide, 1.0f)));
-    EXPECT_FALSE(findDepthRounding(ImageF(kSide, kSide, 0.0f)));
+    EXPECT_FALSE(findDepthRounding(ImageF(kPictureSide, kPictureSide, 1.0f)));
+    EXPECT_FALSE(findDepthRounding(ImageF(kPictureSide, kPictureSide, 0.0f)));
 }
 
 TEST(UnroundDepth, SlopesOfABallInEightBitsAreMuchCloserToTheTruth) {

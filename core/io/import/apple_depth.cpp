@@ -26,9 +26,14 @@ std::optional<Camera> readCamera(const Xmp& xmp) {
 
 }  // namespace
 
-std::optional<AppleDepth> readAppleDepth(const ImportFile& file, const Xmp& xmp) {
+bool isAppleDepth(const Xmp& xmp) {
     const auto type = xmp.text(kPixelDataNamespace, "AuxiliaryImageType");
-    if (type != "disparity" && type != "depth") return std::nullopt;
+    return type == "disparity" || type == "depth";
+}
+
+std::optional<AppleDepth> readAppleDepth(const ImportFile& file, const Xmp& xmp) {
+    if (!isAppleDepth(xmp)) return std::nullopt;
+    const auto type = xmp.text(kPixelDataNamespace, "AuxiliaryImageType");
     AppleDepth apple;
     if (type == "depth") apple.kind = DepthKind::Z;
     const auto least = xmp.number(kPixelDataNamespace, "FloatMinValue");

@@ -19,6 +19,9 @@ struct AppleDepth {
     bool relative = false;         ///< the camera does not vouch for the scale
 };
 
+/// Whether the XMP is that of a depth image.
+[[nodiscard]] bool isAppleDepth(const Xmp& xmp);
+
 /// nullopt when the XMP is not that of a depth image. Throws Error(Input) naming `file` when it is, but says nothing
 /// usable.
 [[nodiscard]] std::optional<AppleDepth> readAppleDepth(const ImportFile& file, const Xmp& xmp);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/import/embedded_depth.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "core/io/image_io.h"
@@ -46,6 +48,35 @@ ImageF decodeRange(const ImportFile& file, const EmbeddedImage& image, const Dep
         value = static_cast<float>(z);
     }
     return applyOrientation(std::move(depth), info.orientation == 1 ? orientation : 1);
+}
+
+void setLengthUnit(ImportedPhoto& photo, const ImportFile& file, const std::optional<std::string>& stated) {
+    struct Unit {
+        std::string_view name;
+        double metres;
+    };
+    static constexpr Unit kUnits[] = {
+        {"m", 1},      {"meter", 1},           {"meters", 1},         {"metre", 1},
+        {"metres", 1}, {"cm", 0.01},           {"centimeters", 0.01}, {"centimetres", 0.01},
+        {"mm", 0.001}, {"millimeters", 0.001}, {"millimetres", 0.001}};
+    std::string name = stated.value_or("");
+    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const Unit& unit : kUnits)
+        if (name == unit.name) {
+            photo.unit = unit.metres;
+            return;
+        }
+    photo.assumedUnit =
+        (name.empty() || name == "none"
+             ? Message("messages",
+                       "The depth inside \"%1\" has no unit: 1 is taken as a metre. Give the metres per unit "
+                       "to set the true scale.")
+                   .with(file.path())
+             : Message("messages",
+                       "The depth inside \"%1\" has the unit \"%2\", which is not known: 1 is taken as a metre. Give "
+                       "the metres per unit to set the true scale.")
+                   .with(file.path(), *stated))
+            .about(Setting::DepthUnit);
 }
 
 }  // namespace core

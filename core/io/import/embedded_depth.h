@@ -25,4 +25,8 @@ struct DepthRange {
 [[nodiscard]] ImageF decodeRange(const ImportFile& file, const EmbeddedImage& image, const DepthRange& range,
                                  int orientation);
 
+/// Takes over the unit of depth as XMP states it: m, cm, mm, and their names. What is missing or unknown is taken as a
+/// metre, and `photo.assumedUnit` says so.
+void setLengthUnit(ImportedPhoto& photo, const ImportFile& file, const std::optional<std::string>& stated);
+
 }  // namespace core

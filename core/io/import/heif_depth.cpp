@@ -10,6 +10,7 @@
 #include "core/io/color_decode.h"
 #include "core/io/image_io.h"
 #include "core/io/import/apple_depth.h"
+#include "core/io/import/heif_boxes.h"
 #include "core/io/import/import_format.h"
 #include "core/io/orientation.h"
 #include "core/io/tiff_bytes.h"
@@ -72,10 +73,11 @@ std::optional<float> focalFromExif(std::string_view tiff) {
 /// One HEIC file and its images; every failure is an Error(Input) that names it.
 class HeifReader {
   public:
-    explicit HeifReader(const ImportFile& file) : file_(file), context_(heif_context_alloc()) {
+    explicit HeifReader(const ImportFile& file)
+        : file_(file), rewritten_(withSingleAuxiliaryTargets(file.bytes())), context_(heif_context_alloc()) {
+        const std::string& bytes = rewritten_ ? *rewritten_ : file.bytes();
         heif_context_set_maximum_image_size_limit(context_.get(), kMaxImageSide);
-        check(heif_context_read_from_memory_without_copy(context_.get(), file.bytes().data(), file.bytes().size(),
-                                                         nullptr));
+        check(heif_context_read_from_memory_without_copy(context_.get(), bytes.data(), bytes.size(), nullptr));
         heif_image_handle* handle = nullptr;
         check(heif_context_get_primary_image_handle(context_.get(), &handle));
         primary_.reset(handle);
@@ -229,6 +231,7 @@ class HeifReader {
     }
 
     const ImportFile& file_;
+    std::optional<std::string> rewritten_;  ///< the file, where libheif does not take it as it is
     Owned<heif_context> context_;
     Owned<heif_image_handle> primary_;
 };

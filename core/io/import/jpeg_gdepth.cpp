@@ -45,15 +45,7 @@ ImportedPhoto readGdepth(const ImportFile& file) {
                                xmp.number(kGoogleDepth, "Far")},
                               info.orientation);
     photo.kind = xmp.text(kGoogleDepth, "MeasureType") == "OpticRay" ? DepthKind::Distance : DepthKind::Z;
-    const auto unit = xmp.text(kGoogleDepth, "Units");
-    if (unit == "mm") photo.unit = 0.001;
-    if (unit != "mm" && unit != "m")
-        photo.assumedUnit =
-            Message("messages",
-                    "The depth inside \"%1\" has no unit: 1 is taken as a metre. Give the metres per unit "
-                    "to set the true scale.")
-                .with(file.path())
-                .about(Setting::DepthUnit);
+    setLengthUnit(photo, file, xmp.text(kGoogleDepth, "Units"));
     return photo;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Several pictures in one JPEG file (CIPA DC-007, Multi-Picture Format): the second is the depth of an Apple camera.
+// Several pictures in one JPEG file (CIPA DC-007, Multi-Picture Format): one of the further ones is the depth of an
+// Apple camera.
+#include <algorithm>
 #include <cstdint>
 
 #include "core/io/image_io.h"
@@ -39,23 +41,52 @@ std::vector<Place> readPictureIndex(const TiffBytes& index) {
     return places;
 }
 
-/// Pictures after the first, as the index places them; those that lie outside the file are empty.
-std::vector<std::string_view> secondaryPictures(std::string_view stream) {
-    std::vector<std::string_view> pictures;
+/// The pictures after the first.
+struct FurtherPictures {
+    std::vector<std::string_view> indexed;  ///< where the index places them
+    std::vector<std::string_view> behind;   ///< as they follow the end of the first
+    /// Number of places in the index that hold no picture.
+    std::size_t missed = 0;
+};
+
+FurtherPictures furtherPictures(std::string_view stream) {
+    FurtherPictures pictures;
     for (const JpegSegment& segment : jpegSegments(stream)) {
         if (segment.marker != 0xe2 || !segment.payload.starts_with(kMpf)) continue;
         const std::size_t base = segment.offset + kMpf.size();
         for (const auto& [offset, size] : readPictureIndex(TiffBytes(segment.payload.substr(kMpf.size())))) {
             const bool inside = offset <= stream.size() - base && size <= stream.size() - base - offset;
-            pictures.push_back(inside ? stream.substr(base + offset, size) : std::string_view());
+            const std::string_view picture = inside ? stream.substr(base + offset, size) : std::string_view();
+            if (picture.starts_with("\xff\xd8\xff"))
+                pictures.indexed.push_back(picture);
+            else
+                ++pictures.missed;
         }
         break;
     }
+    pictures.behind = jpegPicturesBehind(stream);
     return pictures;
 }
 
 bool recognisesMpf(const ImportFile& file) {
-    return file.head().starts_with("\xff\xd8\xff") && !secondaryPictures(file.bytes()).empty();
+    if (!file.head().starts_with("\xff\xd8\xff")) return false;
+    const FurtherPictures pictures = furtherPictures(file.bytes());
+    return !pictures.indexed.empty() || pictures.missed > 0 ||
+           std::ranges::any_of(pictures.behind,
+                               [&](std::string_view picture) { return isAppleDepth(readJpegXmp(picture)); });
+}
+
+/// Takes the depth from `picture`; false when it is another picture.
+bool takeDepth(ImportedPhoto& photo, const ImportFile& file, std::string_view picture) {
+    const auto apple = readAppleDepth(file, readJpegXmp(picture));
+    if (!apple) return false;
+    const EmbeddedImage image{
+        std::string(picture),
+        Message("messages", "%1 inside \"%2\"").with(Message("messages", "the depth map"), file.path())};
+    const int own = readImageInfo(image).orientation;
+    setAppleDepth(photo, file, *apple, applyOrientation(loadScalar(image), own == 1 ? photo.orientation : 1),
+                  photo.orientation);
+    return true;
 }
 
 ImportedPhoto readMpf(const ImportFile& file) {
@@ -64,21 +95,22 @@ ImportedPhoto readMpf(const ImportFile& file) {
     photo.orientation = info.orientation;
     photo.focal35mm = info.focal35mm;
     photo.color = loadColor(file.path());
-    bool outside = false;
-    for (const std::string_view picture : secondaryPictures(file.bytes())) {
-        outside = outside || picture.empty();
-        const auto apple = readAppleDepth(file, readJpegXmp(picture));
-        if (!apple) continue;
-        const EmbeddedImage image{
-            std::string(picture),
-            Message("messages", "%1 inside \"%2\"").with(Message("messages", "the depth map"), file.path())};
-        const int own = readImageInfo(image).orientation;
-        setAppleDepth(photo, file, *apple, applyOrientation(loadScalar(image), own == 1 ? info.orientation : 1),
-                      info.orientation);
-        return photo;
-    }
-    if (outside)
+    const FurtherPictures pictures = furtherPictures(file.bytes());
+    const bool cut = pictures.behind.empty() ? !jpegPictureEnd(file.bytes()) : !jpegPictureEnd(pictures.behind.back());
+    if (cut && pictures.missed > 0)
         file.fail(Message("messages", "the file is truncated: a picture of its index (MPF) lies beyond the end"));
+    for (const std::string_view picture : pictures.indexed)
+        if (takeDepth(photo, file, picture)) return photo;
+    // Programs that change the metadata move the index, and leave the offsets in it as they were.
+    for (const std::string_view picture : pictures.behind)
+        if (takeDepth(photo, file, picture)) return photo;
+    if (pictures.missed > 0 && pictures.behind.size() < pictures.indexed.size() + pictures.missed)
+        photo.remarks.push_back(
+            Message("messages",
+                    "The index (MPF) of \"%1\" names a further picture that is not in the file: another program "
+                    "dropped it when it saved the photograph, and the depth with it if that was there. Take the "
+                    "original file, or give a depth map.")
+                .with(file.path()));
     return photo;
 }
 

@@ -72,14 +72,50 @@ std::vector<JpegSegment> jpegSegments(std::string_view stream, bool* complete) {
     return segments;
 }
 
+std::optional<std::size_t> jpegPictureEnd(std::string_view stream) {
+    const auto byte = [&](std::size_t i) { return unsigned{static_cast<unsigned char>(stream[i])}; };
+    if (!stream.starts_with("\xff\xd8\xff")) return std::nullopt;
+    for (std::size_t i = 2; i + 2 <= stream.size();) {
+        if (byte(i) != 0xff) {  // coded data
+            i = std::min(stream.find('\xff', i), stream.size());
+            continue;
+        }
+        const unsigned marker = byte(i + 1);
+        if (marker == 0xd9) return i + 2;
+        if (marker == 0xff) {  // fill byte
+            ++i;
+        } else if (marker <= 0x01 || (marker >= 0xd0 && marker <= 0xd8)) {  // without length
+            i += 2;
+        } else {
+            if (i + 4 > stream.size()) break;
+            i += 2 + std::max(2U, byte(i + 2) << 8U | byte(i + 3));
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<std::string_view> jpegPicturesBehind(std::string_view stream) {
+    constexpr std::size_t kMostPictures = 64;
+    std::vector<std::string_view> pictures;
+    auto end = jpegPictureEnd(stream);
+    while (end && pictures.size() < kMostPictures) {
+        const std::size_t begin = stream.find("\xff\xd8\xff", *end);
+        if (begin == std::string_view::npos) break;
+        const auto length = jpegPictureEnd(stream.substr(begin));
+        pictures.push_back(stream.substr(begin, length.value_or(std::string_view::npos)));
+        if (!length) break;
+        end = begin + *length;
+    }
+    return pictures;
+}
+
 std::vector<std::string> jpegXmpPackets(std::string_view stream, Message* damage) {
     std::vector<std::string> packets;
     std::map<std::string_view, Extension> extensions;
     bool complete = false;
     for (const JpegSegment& segment : jpegSegments(stream, &complete)) {
         if (segment.marker != 0xe1) continue;
-        if (segment.payload.starts_with(kXmp) && packets.empty())
-            packets.emplace_back(segment.payload.substr(kXmp.size()));
+        if (segment.payload.starts_with(kXmp)) packets.emplace_back(segment.payload.substr(kXmp.size()));
         if (!segment.payload.starts_with(kExtendedXmp) || segment.payload.size() < kExtendedHeader) continue;
         Extension& extension = extensions[segment.payload.substr(kExtendedXmp.size(), kGuidBytes)];
         const std::uint32_t size = bigEndian32(segment.payload, kExtendedHeader - 8);
@@ -91,13 +127,13 @@ std::vector<std::string> jpegXmpPackets(std::string_view stream, Message* damage
     }
     Message problem;
     if (!complete) problem = Message("messages", "the file is truncated: its header segments have no end");
-    if (!packets.empty())
-        for (const auto& [guid, extension] : extensions) {
-            if (packets.front().find(guid) == std::string::npos) continue;
-            std::string text = join(extension, problem);
-            if (!text.empty()) packets.push_back(std::move(text));
-            break;
-        }
+    for (const auto& [guid, extension] : extensions) {
+        const auto refers = [&](const std::string& packet) { return packet.find(guid) != std::string::npos; };
+        if (std::ranges::none_of(packets, refers)) continue;
+        std::string text = join(extension, problem);
+        if (!text.empty()) packets.push_back(std::move(text));
+        break;
+    }
     if (damage != nullptr) *damage = problem;
     return packets;
 }

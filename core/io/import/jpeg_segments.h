@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,9 +21,16 @@ struct JpegSegment {
 /// Empty when `stream` does not begin with a JPEG marker.
 [[nodiscard]] std::vector<JpegSegment> jpegSegments(std::string_view stream, bool* complete = nullptr);
 
-/// XMP packets of a JPEG stream as XML texts: the standard packet first, then the extended one it refers to (joined by
-/// GUID and offset; XMP specification part 3, section 1.1.3.1). Parts that are missing, overlap, or do not add up are
-/// described in `damage`, and the extended packet is left out.
+/// Position behind the end (EOI) of the JPEG picture that `stream` begins with; nullopt when it has none.
+[[nodiscard]] std::optional<std::size_t> jpegPictureEnd(std::string_view stream);
+
+/// Pictures that lie behind the one that `stream` begins with, whatever is between them; no more than 64. The last one
+/// may be cut off: it has no end (EOI).
+[[nodiscard]] std::vector<std::string_view> jpegPicturesBehind(std::string_view stream);
+
+/// XMP packets of a JPEG stream as XML texts: the standard packets first (some programs add a second one), then the
+/// extended one they refer to (joined by GUID and offset; XMP specification part 3, section 1.1.3.1). Parts that are
+/// missing, overlap, or do not add up are described in `damage`, and the extended packet is left out.
 [[nodiscard]] std::vector<std::string> jpegXmpPackets(std::string_view stream, Message* damage = nullptr);
 
 }  // namespace core

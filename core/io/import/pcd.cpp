@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Organised point clouds (Point Cloud Library, PCD 0.7): a raster of points with colours. Intrinsics follow from the
-// points themselves.
+// points themselves. A point without x or y is none, whatever its z: filters of the library write one there.
 #include <cmath>
+#include <limits>
 
 #include "core/io/color_decode.h"
 #include "core/io/import/pcd_points.h"
@@ -106,7 +107,8 @@ ImportedPhoto readPcd(const ImportFile& file) {
     photo.color = ImageRgb(header.width, header.height);
     photo.depth = ImageF(header.width, header.height);
     for (std::size_t i = 0; i < photo.depth.size(); ++i) {
-        photo.depth[i] = static_cast<float>(points.real(z, i));
+        const bool placed = std::isfinite(points.real(x, i)) && std::isfinite(points.real(y, i));
+        photo.depth[i] = placed ? static_cast<float>(points.real(z, i)) : std::numeric_limits<float>::quiet_NaN();
         const std::uint32_t argb = points.word(*color, i);
         photo.color[i] = Vector3f(static_cast<float>(argb >> 16U & 255U), static_cast<float>(argb >> 8U & 255U),
                                   static_cast<float>(argb & 255U)) /

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/import/xmp.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
@@ -38,11 +39,18 @@ pugi::xml_node findElement(const pugi::xml_node& node, std::string_view uri, std
 }
 
 std::optional<double> parseNumber(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\n' || text.front() == '+')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\n')) text.remove_suffix(1);
+    constexpr std::string_view kSpace = " \t\r\n";
+    while (!text.empty() && (kSpace.find(text.front()) != std::string_view::npos || text.front() == '+'))
+        text.remove_prefix(1);
+    while (!text.empty() && kSpace.find(text.back()) != std::string_view::npos) text.remove_suffix(1);
+    std::string digits(text);
+    // Some programs write numbers in the language of the user.
+    if (std::ranges::count(digits, ',') == 1 && digits.find('.') == std::string::npos)
+        std::ranges::replace(digits, ',', '.');
     double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    const char* const stop = digits.data() + digits.size();
+    const auto [end, error] = std::from_chars(digits.data(), stop, value);
+    if (error != std::errc() || end != stop) return std::nullopt;
     return value;
 }
 
