@@ -19,7 +19,7 @@ using core::analysis::findDepthRounding;
 using core::analysis::unroundDepth;
 
 constexpr int kPictureSide = 160;
-constexpr float kFocalLength = 200;
+constexpr float kUnroundFocal = 200;
 using Surface = std::function<float(float, float)>;  // inverse depth [1/m] at a pixel
 
 ImageF depthOf(const Surface& surface, const std::function<float(float)>& stored) {
@@ -41,7 +41,7 @@ float exact(float w) { return 1 / w; }
 /// A ball of 60 pixels in front of a wall that is tilted.
 float ballAndWall(float x, float y) {
     const float r2 = (x - 80) * (x - 80) + (y - 76) * (y - 76);
-    if (r2 < 60 * 60) return 1 / (1.0f - std::sqrt(60 * 60 - r2) / kFocalLength);
+    if (r2 < 60 * 60) return 1 / (1.0f - std::sqrt(60 * 60 - r2) / kUnroundFocal);
     return 0.5f + 0.0003f * x + 0.0002f * y;
 }
 
@@ -59,7 +59,7 @@ double medianTilt(const ImageF& depth, const Surface& surface) {
                 continue;
             const float du = 1 / depth(x + 1, y) - 1 / depth(x - 1, y) - surface(u + 1, v) + surface(u - 1, v);
             const float dv = 1 / depth(x, y + 1) - 1 / depth(x, y - 1) - surface(u, v + 1) + surface(u, v - 1);
-            tilts.push_back(std::atan(static_cast<double>(0.5f * std::hypot(du, dv) * kFocalLength / w)) * 57.2958);
+            tilts.push_back(std::atan(static_cast<double>(0.5f * std::hypot(du, dv) * kUnroundFocal / w)) * 57.2958);
         }
     }
     std::ranges::nth_element(tilts, tilts.begin() + static_cast<std::ptrdiff_t>(tilts.size() / 2));

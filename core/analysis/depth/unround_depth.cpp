@@ -17,7 +17,7 @@ namespace {
 
 /// Fewest and most different values of a map that is rounded coarsely, and fewest pixels for each.
 constexpr std::size_t kMinValues = 8;
-constexpr std::size_t kMaxLevels = 1024;
+constexpr std::size_t kMostLevels = 1024;
 constexpr std::size_t kMinPixelsPerValue = 4;
 /// Relative difference of values that count as equal: rounding of floats.
 constexpr float kSameValue = 2e-6f;
@@ -63,7 +63,7 @@ std::vector<float> differentValues(const ImageF& depth, std::size_t& valid) {
     for (const float value : values) {
         if (!different.empty() && value <= different.back() * (1 + kSameValue)) continue;
         different.push_back(value);
-        if (different.size() > kMaxLevels) break;
+        if (different.size() > kMostLevels) break;
     }
     return different;
 }
@@ -144,7 +144,7 @@ class RoundedSurface {
 std::optional<DepthRounding> findDepthRounding(const ImageF& depth) {
     std::size_t valid = 0;
     std::vector<float> values = differentValues(depth, valid);
-    if (values.size() < kMinValues || values.size() > kMaxLevels || valid < kMinPixelsPerValue * values.size())
+    if (values.size() < kMinValues || values.size() > kMostLevels || valid < kMinPixelsPerValue * values.size())
         return std::nullopt;
     if (const float step = commonStep(values); step > 0) return DepthRounding{step, false};
     std::ranges::reverse(values);
