@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
-#include <functional>
 #include <locale>
 #include <span>
 #include <sstream>
@@ -260,30 +259,18 @@ int ImageReader::orientation() const {
     return value >= 1 && value <= 8 ? value : 1;
 }
 
-bool ImageReader::seekPart(const std::function<bool(const OIIO::ImageSpec&)>& accept) {
-    if (accept(spec_)) return true;
-    for (int part = 1; part < kMaxParts && input_->seek_subimage(part, 0); ++part) {
-        if (!accept(input_->spec())) continue;
-        spec_ = input_->spec();
-        checkHeader();
-        return true;
-    }
-    (void)input_->geterror();
-    if (!input_->seek_subimage(0, 0)) fail(libraryReason(input_->geterror()));
-    return false;
-}
-
 std::vector<OIIO::ImageSpec> ImageReader::parts() {
     std::vector<OIIO::ImageSpec> specs;
-    (void)seekPart([&](const OIIO::ImageSpec& spec) {
-        specs.push_back(spec);
-        return false;
-    });
+    for (int part = 0; part < kMaxParts && input_->seek_subimage(part, 0); ++part) specs.push_back(input_->spec());
+    (void)input_->geterror();
+    goToPart(0);
     return specs;
 }
 
 void ImageReader::goToPart(int part) {
-    (void)seekPart([&](const OIIO::ImageSpec&) { return part-- == 0; });
+    if (!input_->seek_subimage(part, 0)) fail(libraryReason(input_->geterror()));
+    spec_ = input_->spec();
+    checkHeader();
 }
 
 float ImageReader::integerScale() const {

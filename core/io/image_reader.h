@@ -4,7 +4,6 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,11 +36,7 @@ class ImageReader {
     /// EXIF orientation 1..8; 1 = as stored.
     [[nodiscard]] int orientation() const;
 
-    /// Goes to the first part of the file for which `accept` is true (parts of an EXR, pages of a TIFF). Returns false,
-    /// and stays at the first part, when there is none.
-    bool seekPart(const std::function<bool(const OIIO::ImageSpec&)>& accept);
-
-    /// The headers of all parts.
+    /// The headers of all parts of an EXR file, at most 64 of them; goes to the first.
     [[nodiscard]] std::vector<OIIO::ImageSpec> parts();
     /// Goes to a part of `parts()`.
     void goToPart(int part);
