@@ -117,9 +117,9 @@ class UsageTest(CliTest):
             json.dump(document, file)
         self.fails(2, ["ambiguous", "cup=red"], "render", project, "--edit", '%d={"brdf":"lambert"}' % first["label"], "-o",
                    self.path("o.png"))
-        self.fails(2, ["ambiguous"], "render", project, "--reflectance", "%d=1,0,0" % first["label"], "-o",
+        self.fails(2, ["ambiguous"], "render", project, "--reflectance", "%d=1,0.5,0.5" % first["label"], "-o",
                    self.path("o.png"))
-        for arguments in (("--edit", 'cup=red={"brdf": "lambert", "albedo": [0, 1, 0]}'), ("--reflectance", "cup=red=1,0,0")):
+        for arguments in (("--edit", 'cup=red={"brdf": "lambert", "albedo": [0, 1, 0]}'), ("--reflectance", "cup=red=1,0.5,0.5")):
             self.run_cli("render", project, "--samples", "1", *arguments, "-o", self.path("o.png"))
 
     def test_edits_that_are_wrong(self):
