@@ -213,6 +213,13 @@ TEST_F(ImportHostileTest, DynamicDepthThatIsNotWhereItIsListed) {
     expectRefused("sharp.jpg",
                   file({{"depth", size}}, "", "<Camera:Image Image:ItemSemantic='Original' Image:ItemURI='o'/>"),
                   {"no \"o\"", "the sharp picture"});
+    // The cameras were in an extended packet of which a part is missing.
+    const std::string standard = test::xmpText(
+        "xmlns:Device=\"http://ns.google.com/photos/dd/1.0/device/\" xmlns:n=\"http://ns.adobe.com/xmp/note/\"",
+        "n:HasExtendedXMP=\"" + test::kGuid + "\"", "<Device:Container/>");
+    expectRefused("packet.jpg",
+                  test::withSegments(jpeg(), test::xmpSegment(standard) + test::extendedXmpSegment("<x", 0, 500)),
+                  {"extended XMP"});
     expectNoCrash("n.jpg", honest, 10, 13);
 }
 
