@@ -1413,6 +1413,38 @@
         <source>The values of &quot;%1&quot; fill the range from 0 to %2 exactly, so this is probably relative depth, as networks give it, often with the largest value nearest. For that, give the kind &quot;inverse&quot; and a unit.</source>
         <translation>Die Werte von „%1“ füllen den Bereich von 0 bis %2 genau aus; wahrscheinlich ist es relative Tiefe, wie neuronale Netze sie liefern, bei der oft der größte Wert am nächsten liegt. Geben Sie dafür die Art „inverse“ und eine Einheit an.</translation>
     </message>
+    <message>
+        <source>Item:%1 in its XMP is &quot;%2&quot;, expected a number of bytes within the file</source>
+        <translation>Item:%1 in ihrem XMP ist „%2“, erwartet wird eine Anzahl von Bytes innerhalb der Datei</translation>
+    </message>
+    <message>
+        <source>the file is truncated: the photograph has no end</source>
+        <translation>die Datei ist abgeschnitten: Das Foto hat kein Ende</translation>
+    </message>
+    <message>
+        <source>the file is truncated: %1 lies beyond the end</source>
+        <translation>die Datei ist abgeschnitten: %1 liegt hinter dem Ende</translation>
+    </message>
+    <message>
+        <source>%1 is not where the list in its XMP puts it, expected a whole JPEG or PNG picture in %2 bytes from byte %3</source>
+        <translation>%1 ist nicht dort, wo die Liste in ihrem XMP es angibt, erwartet wird ein vollständiges JPEG- oder PNG-Bild in %2 Bytes ab Byte %3</translation>
+    </message>
+    <message>
+        <source>the list of pictures in its XMP has no &quot;%1&quot;, expected %2</source>
+        <translation>die Liste der Bilder in ihrem XMP enthält kein „%1“, erwartet wird %2</translation>
+    </message>
+    <message>
+        <source>its depth map (Dynamic Depth) is a mask of the person in front (Segmentation), not depth</source>
+        <translation>ihre Tiefenkarte (Dynamic Depth) ist eine Maske der Person im Vordergrund (Segmentation), keine Tiefe</translation>
+    </message>
+    <message>
+        <source>none of the cameras in its XMP (Dynamic Depth) has a depth map</source>
+        <translation>keine der Kameras in ihrem XMP (Dynamic Depth) hat eine Tiefenkarte</translation>
+    </message>
+    <message>
+        <source>a depth map of Android (Dynamic Depth) in a JPEG</source>
+        <translation>eine Tiefenkarte von Android (Dynamic Depth) in einem JPEG</translation>
+    </message>
 </context>
 <context>
     <name>metals</name>

@@ -5,6 +5,7 @@
 #include <libheif/heif.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
@@ -123,6 +124,41 @@ inline std::string mpfFile(const std::string& front, const std::string& segments
     const std::string mpf =
         mpfSegment(static_cast<std::uint32_t>(at - index), static_cast<std::uint32_t>(second.size()));
     return withSegments(front, segments + mpf) + std::string(gap, '\0') + second;
+}
+
+/// A picture behind the photograph of a Dynamic Depth file, as its XMP lists it.
+struct DynamicItem {
+    std::string uri;
+    std::string length;
+    std::string padding = "0";
+};
+
+/// XMP of Dynamic Depth 1.0. `plain` writes items and cameras as attributes and elements of rdf:li itself.
+inline std::string dynamicDepthXmp(const std::vector<DynamicItem>& items, const std::string& depth,
+                                   const std::string& elements = {}, bool plain = false) {
+    const auto listed = [plain](const std::string& name, const std::string& attributes, const std::string& content) {
+        if (plain) return "<rdf:li " + attributes + ">" + content + "</rdf:li>";
+        return "<rdf:li rdf:parseType=\"Resource\"><" + name + " " + attributes + ">" + content + "</" + name +
+               "></rdf:li>";
+    };
+    std::string directory = listed("Container:Item", "Item:Length=\"0\" Item:DataURI=\"primary\"", "");
+    for (const DynamicItem& item : items)
+        directory += listed("Container:Item",
+                            "Item:Length=\"" + item.length + "\" Item:Padding=\"" + item.padding +
+                                "\" Item:DataURI=\"" + item.uri + "\"",
+                            "");
+    std::string namespaces;
+    for (const char* name : {"Device", "Container", "Item", "Camera", "DepthMap", "Image", "ImagingModel"}) {
+        std::string lower = name;
+        std::ranges::transform(lower, lower.begin(),
+                               [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        namespaces += "xmlns:" + std::string(name) + "=\"http://ns.google.com/photos/dd/1.0/" + lower + "/\" ";
+    }
+    return xmpText(namespaces, "",
+                   "<Device:Container><Container:Directory><rdf:Seq>" + directory +
+                       "</rdf:Seq></Container:Directory></Device:Container><Device:Cameras><rdf:Seq>" +
+                       listed("Device:Camera", "", "<Camera:DepthMap " + depth + "/>" + elements) +
+                       "</rdf:Seq></Device:Cameras>");
 }
 
 /// Boxes of ISO base media files.

@@ -173,6 +173,56 @@ TEST_F(ImportHostileTest, DamagedJpegSegments) {
     EXPECT_FALSE(complete);
 }
 
+TEST_F(ImportHostileTest, DynamicDepthThatIsNotWhereItIsListed) {
+    const std::string map = jpeg();
+    const std::string size = std::to_string(map.size());
+    const std::string depth =
+        "DepthMap:Format='RangeLinear' DepthMap:Near='1' DepthMap:Far='3' DepthMap:Units='Meters' "
+        "DepthMap:DepthURI='depth' ";
+    const auto file = [&](const std::vector<test::DynamicItem>& items, const std::string& attributes = {},
+                          const std::string& elements = {}) {
+        return test::withSegments(jpeg(),
+                                  test::xmpSegment(test::dynamicDepthXmp(items, depth + attributes, elements))) +
+               map + map;
+    };
+    const std::string honest = file({{"other", size}, {"depth", size}});
+    test::writeBytes(folder / "ok.jpg", honest);
+    core::CreateOptions options;
+    options.color = folder / "ok.jpg";
+    EXPECT_NEAR(core::createScene(options).photo->depth(3, 2), 1 + 77 / 255.0 * 2, 1e-5);
+    // An item without bytes of its own shares those of the item before.
+    test::writeBytes(folder / "ok.jpg", file({{"other", size}, {"depth", "0"}}));
+    EXPECT_NEAR(core::createScene(options).photo->depth(3, 2), 1 + 77 / 255.0 * 2, 1e-5);
+
+    expectRefused("absent.jpg", file({{"other", size}}), {"no \"depth\"", "the depth map"});
+    expectRefused("unlisted.jpg", file({}), {"no \"depth\""});
+    expectRefused("short.jpg", file({{"depth", std::to_string(map.size() - 5)}}), {"the depth map is not where"});
+    expectRefused("overlap.jpg", file({{"other", std::to_string(map.size() - 5)}, {"depth", size}}),
+                  {"the depth map is not where"});
+    expectRefused("gap.jpg", file({{"other", size, "5"}, {"depth", std::to_string(map.size() - 5)}}),
+                  {"the depth map is not where"});
+    expectRefused("beyond.jpg", file({{"other", size}, {"depth", std::to_string(map.size() + 1)}}),
+                  {"truncated", "the depth map"});
+    expectRefused("cut.jpg", honest.substr(0, honest.size() - 10), {"truncated", "the depth map"});
+    for (const char* wrong : {"-1", "1e300", "nan", "1.5", "many", "99999999999999999999"}) {
+        expectRefused("length.jpg", file({{"depth", wrong}}), {"Item:Length", wrong});
+        expectRefused("padding.jpg", file({{"other", size, wrong}, {"depth", size}}), {"Item:Padding", wrong});
+    }
+    expectRefused("mask.jpg", file({{"depth", size}}, "DepthMap:ItemSemantic='Segmentation'"),
+                  {"Segmentation", "not depth"});
+    expectRefused("sharp.jpg",
+                  file({{"depth", size}}, "", "<Camera:Image Image:ItemSemantic='Original' Image:ItemURI='o'/>"),
+                  {"no \"o\"", "the sharp picture"});
+    // The cameras were in an extended packet of which a part is missing.
+    const std::string standard = test::xmpText(
+        "xmlns:Device=\"http://ns.google.com/photos/dd/1.0/device/\" xmlns:n=\"http://ns.adobe.com/xmp/note/\"",
+        "n:HasExtendedXMP=\"" + test::kGuid + "\"", "<Device:Container/>");
+    expectRefused("packet.jpg",
+                  test::withSegments(jpeg(), test::xmpSegment(standard) + test::extendedXmpSegment("<x", 0, 500)),
+                  {"extended XMP"});
+    expectNoCrash("n.jpg", honest, 10, 13);
+}
+
 TEST_F(ImportHostileTest, PictureIndexThatPointsElsewhere) {
     const std::string front = jpeg(32, 16);
     const std::string apple = test::appleXmp("0.5", "2.5", 32, 16, {50, 0, 0, 0, 51, 0, 20, 15, 1});

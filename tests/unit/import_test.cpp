@@ -197,6 +197,72 @@ TEST_F(ImportTest, XdmWithEntitiesInItsText) {
     EXPECT_EQ(metric.assumedUnit, "");
 }
 
+TEST_F(ImportTest, DynamicDepthBehindAConfidenceMap) {
+    const std::string confidence = grey(6, 4, 255);
+    const std::string depth = grey(6, 4, 100);
+    const std::string model =
+        "<Camera:Image Image:ItemSemantic='Primary' Image:ItemURI='primary'/><Camera:ImagingModel "
+        "ImagingModel:FocalLengthX='800' ImagingModel:FocalLengthY='808' ImagingModel:ImageWidth='48' "
+        "ImagingModel:ImageHeight='32' ImagingModel:PrincipalPointX='24' ImagingModel:PrincipalPointY='12'/>";
+    const auto read = [&](const std::string& units, int orientation, bool plain) {
+        const std::string xmp = test::dynamicDepthXmp(
+            {{"confidence", std::to_string(confidence.size()), "3"}, {"depth", std::to_string(depth.size())}},
+            "DepthMap:ItemSemantic='Depth' DepthMap:Format='RangeInverse' DepthMap:Near='1' DepthMap:Far='3' "
+            "DepthMap:DepthURI='depth' DepthMap:ConfidenceURI='confidence' DepthMap:Units='" +
+                units + "'",
+            model, plain);
+        test::writeBytes(folder / "d.jpg",
+                         test::withSegments(grey(6, 4, 50), test::exifSegment(orientation) + test::xmpSegment(xmp)) +
+                             confidence + "pad" + depth);
+        return import(folder / "d.jpg", "Dynamic Depth");
+    };
+    for (const bool plain : {false, true}) {
+        const core::ImportedPhoto photo = read("Meters", 1, plain);
+        EXPECT_NEAR(photo.depth(3, 2), 3 / (3 - 100 / 255.0 * 2), 1e-5);
+        EXPECT_EQ(photo.kind, DepthKind::Z);
+        EXPECT_EQ(photo.unit, 1.0);
+        EXPECT_EQ(photo.assumedUnit, "");
+        ASSERT_TRUE(photo.camera.has_value());
+        EXPECT_EQ(photo.camera->width, 6);
+        EXPECT_NEAR(photo.camera->fx, 100, 1e-4);
+        EXPECT_NEAR(photo.camera->fy, 101, 1e-4);
+        EXPECT_NEAR(photo.camera->cx, 3, 1e-4);
+        EXPECT_NEAR(photo.camera->cy, 1.5, 1e-4);
+    }
+    const core::ImportedPhoto turned = read("Millimeters", 6, false);
+    EXPECT_EQ(turned.unit, 0.001);
+    EXPECT_EQ(turned.depth.width(), 4);
+    EXPECT_EQ(turned.camera->width, 4);
+    EXPECT_NEAR(turned.camera->fx, 101, 1e-4);
+    EXPECT_NEAR(turned.camera->cx, 2.5, 1e-4);
+    EXPECT_THAT(read("None", 1, false).assumedUnit.english(), testing::HasSubstr("has no unit"));
+    EXPECT_THAT(read("Diopters", 1, false).assumedUnit.english(),
+                testing::HasSubstr("\"Diopters\", which is not known"));
+}
+
+TEST_F(ImportTest, DynamicDepthOfASharpPictureInExtendedXmp) {
+    const std::string sharp = grey(6, 4, 200);
+    std::vector<std::string> rows(4);
+    for (std::string& row : rows)
+        for (std::size_t x = 0; x < 6; ++x) row += test::bigEndian16(10'000 * x);
+    const std::string depth = test::pngBytes(6, 4, 16, 0, rows);
+    const std::string xmp = test::dynamicDepthXmp(
+        {{"original", std::to_string(sharp.size())}, {"depth", std::to_string(depth.size())}},
+        "DepthMap:Format='RangeLinear' DepthMap:Near='0.5' DepthMap:Far='7.0535' DepthMap:DepthURI='depth' "
+        "DepthMap:Units='Meters' DepthMap:MeasureType='OpticRay'",
+        "<Camera:Image Image:ItemSemantic='Original' Image:ItemURI='original'/>");
+    const std::string standard = test::xmpText("xmlns:xmpNote=\"http://ns.adobe.com/xmp/note/\"",
+                                               "xmpNote:HasExtendedXMP=\"" + test::kGuid + "\"");
+    test::writeBytes(
+        folder / "s.jpg",
+        test::withSegments(grey(6, 4, 50), test::xmpSegment(standard) + test::extendedXmp(xmp, 300)) + sharp + depth);
+    const core::ImportedPhoto photo = import(folder / "s.jpg", "Dynamic Depth");
+    EXPECT_NEAR(photo.color(3, 2).x(), linear(200), 0.01) << "the sharp picture, not the blurred one";
+    for (int x = 0; x < 6; ++x) EXPECT_NEAR(photo.depth(x, 2), 0.5 + x, 1e-4);
+    EXPECT_EQ(photo.kind, DepthKind::Distance);
+    EXPECT_FALSE(photo.camera.has_value());
+}
+
 TEST_F(ImportTest, AppleDisparityInTheSecondPicture) {
     std::vector<std::uint8_t> ramp;
     for (int i = 0; i < 16 * 8; ++i) ramp.push_back(static_cast<std::uint8_t>(i % 16 * 16 + 7));

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/io/image_io.h"
-#include "core/io/orientation.h"
+#include "core/io/import/embedded_depth.h"
 
 namespace core {
 
@@ -65,12 +65,7 @@ void setAppleDepth(ImportedPhoto& photo, const ImportFile& file, const AppleDept
         photo.remarks.push_back(
             Message("messages", "The camera states the depth inside \"%1\" as \"relative\": its scale is approximate.")
                 .with(file.path()));
-    if (!apple.camera) return;
-    const Camera turned = orientCamera(*apple.camera, orientation);
-    const float sx = static_cast<float>(photo.color.width()) / static_cast<float>(turned.width);
-    const float sy = static_cast<float>(photo.color.height()) / static_cast<float>(turned.height);
-    photo.camera = Camera{photo.color.width(), photo.color.height(), turned.fx * sx,
-                          turned.fy * sy,      turned.cx * sx,       turned.cy * sy};
+    if (apple.camera) setStoredCamera(photo, *apple.camera, orientation);
 }
 
 }  // namespace core

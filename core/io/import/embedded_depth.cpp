@@ -50,6 +50,23 @@ ImageF decodeRange(const ImportFile& file, const EmbeddedImage& image, const Dep
     return applyOrientation(std::move(depth), info.orientation == 1 ? orientation : 1);
 }
 
+ImageRgb loadSharpPicture(EmbeddedImage image, int orientation) {
+    const bool turned = readImageInfo(image).orientation != 1;
+    return applyOrientation(loadColor(std::move(image)), turned ? 1 : orientation);
+}
+
+void setStoredCamera(ImportedPhoto& photo, const Camera& stored, int orientation) {
+    const Camera turned = orientCamera(stored, orientation);
+    const float sx = static_cast<float>(photo.color.width()) / static_cast<float>(turned.width);
+    const float sy = static_cast<float>(photo.color.height()) / static_cast<float>(turned.height);
+    photo.camera = Camera{photo.color.width(), photo.color.height(), turned.fx * sx,
+                          turned.fy * sy,      turned.cx * sx,       turned.cy * sy};
+}
+
+DepthKind measuredKind(const std::optional<std::string>& measureType) {
+    return measureType == "OpticRay" ? DepthKind::Distance : DepthKind::Z;
+}
+
 void setLengthUnit(ImportedPhoto& photo, const ImportFile& file, const std::optional<std::string>& stated) {
     struct Unit {
         std::string_view name;

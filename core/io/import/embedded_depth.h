@@ -25,6 +25,16 @@ struct DepthRange {
 [[nodiscard]] ImageF decodeRange(const ImportFile& file, const EmbeddedImage& image, const DepthRange& range,
                                  int orientation);
 
+/// The picture before the camera's artificial blur, turned by `orientation` unless it says itself how it is oriented.
+/// Throws Error(Input).
+[[nodiscard]] ImageRgb loadSharpPicture(EmbeddedImage image, int orientation);
+
+/// Intrinsics of `photo.color`, as displayed, from those of the same picture as stored, at any size.
+void setStoredCamera(ImportedPhoto& photo, const Camera& stored, int orientation);
+
+/// Kind of depth by the property MeasureType of Google's depth maps: along the optical axis unless it is OpticRay.
+[[nodiscard]] DepthKind measuredKind(const std::optional<std::string>& measureType);
+
 /// Takes over the unit of depth as XMP states it: m, cm, mm, and their names. What is missing or unknown is taken as a
 /// metre, and `photo.assumedUnit` says so.
 void setLengthUnit(ImportedPhoto& photo, const ImportFile& file, const std::optional<std::string>& stated);

@@ -68,6 +68,7 @@ struct ImportFormat {
     X(exrDepthFormat)            \
     X(jpegGdepthFormat)          \
     X(jpegXdmFormat)             \
+    X(jpegDynamicDepthFormat)    \
     X(jpegMpfFormat)             \
     X(heifDepthFormat)           \
     X(pcdFormat)

@@ -4,7 +4,6 @@
 #include "core/io/import/embedded_depth.h"
 #include "core/io/import/import_format.h"
 #include "core/io/import/xmp.h"
-#include "core/io/orientation.h"
 
 namespace core {
 
@@ -21,9 +20,7 @@ bool recognisesGdepth(const ImportFile& file) {
 ImageRgb readColor(const ImportFile& file, const Xmp& xmp, int orientation) {
     const auto sharp = xmp.text(kImage, "Data");
     if (!sharp) return loadColor(file.path());
-    EmbeddedImage image = embeddedImage(file, *sharp, Message("messages", "the sharp picture"));
-    const bool turned = readImageInfo(image).orientation != 1;
-    return applyOrientation(loadColor(std::move(image)), turned ? 1 : orientation);
+    return loadSharpPicture(embeddedImage(file, *sharp, Message("messages", "the sharp picture")), orientation);
 }
 
 ImportedPhoto readGdepth(const ImportFile& file) {
@@ -44,7 +41,7 @@ ImportedPhoto readGdepth(const ImportFile& file) {
                               {xmp.text(kGoogleDepth, "Format").value_or(""), xmp.number(kGoogleDepth, "Near"),
                                xmp.number(kGoogleDepth, "Far")},
                               info.orientation);
-    photo.kind = xmp.text(kGoogleDepth, "MeasureType") == "OpticRay" ? DepthKind::Distance : DepthKind::Z;
+    photo.kind = measuredKind(xmp.text(kGoogleDepth, "MeasureType"));
     setLengthUnit(photo, file, xmp.text(kGoogleDepth, "Units"));
     return photo;
 }

@@ -127,6 +127,12 @@ std::optional<double> Xmp::number(std::string_view uri, std::string_view name) c
     return found ? parseNumber(*found) : std::nullopt;
 }
 
+std::optional<XmpNode> Xmp::child(std::string_view uri, std::string_view name) const {
+    for (const XmpNode& description : descriptions_)
+        if (auto found = description.child(uri, name)) return found;
+    return std::nullopt;
+}
+
 std::vector<XmpNode> Xmp::items(std::string_view uri, std::string_view name) const {
     for (const XmpNode& description : descriptions_)
         if (auto found = description.items(uri, name); !found.empty()) return found;

@@ -42,6 +42,7 @@ class Xmp {
     /// As in XmpNode, of the picture itself: the first rdf:Description that has the property.
     [[nodiscard]] std::optional<std::string> text(std::string_view uri, std::string_view name) const;
     [[nodiscard]] std::optional<double> number(std::string_view uri, std::string_view name) const;
+    [[nodiscard]] std::optional<XmpNode> child(std::string_view uri, std::string_view name) const;
     [[nodiscard]] std::vector<XmpNode> items(std::string_view uri, std::string_view name) const;
     [[nodiscard]] std::vector<double> numbers(std::string_view uri, std::string_view name) const;
 
