@@ -28,7 +28,7 @@ constexpr float kConvex = 0.22f;
 constexpr float kDepthEnds = 0.8f;
 /// The same where the map's edges lie beside those of the photograph: sensors fail within objects too, on dark and
 /// shiny spots.
-constexpr float kSensorFails = 0.1f;
+constexpr float kSensorFails = 0.05f;
 /// Largest distance looked at between an edge of the depth map and one of the photograph [working px].
 constexpr int kMaxOffset = 12;
 
