@@ -90,7 +90,7 @@ std::vector<ExrChannel> exrChannels(const std::vector<OIIO::ImageSpec>& parts) {
         for (int c = 0; c < parts[part].nchannels; ++c) {
             std::string name = parts[part].channel_name(c);
             const bool repeated = name.starts_with(partName + ".");
-            if (parts.size() > 1 && !partName.empty() && !repeated) name = partName + "." + name;
+            if (parts.size() > 1 && !partName.empty() && !repeated) name.insert(0, partName + ".");
             const auto dot = name.rfind('.');
             ExrChannel channel{static_cast<int>(part), c, {}, name};
             if (dot != std::string::npos) {
