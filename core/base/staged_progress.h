@@ -21,7 +21,7 @@ class StagedProgress {
     [[nodiscard]] Progress next(double cost) {
         const float share = remaining_ > cost ? static_cast<float>(cost / remaining_) : 1.0f;
         remaining_ = std::max(remaining_ - cost, 0.0);
-        const Progress stage = rest_.part(0, share);
+        Progress stage = rest_.part(0, share);
         rest_ = rest_.part(share, 1);
         return stage;
     }
