@@ -125,11 +125,12 @@ std::optional<ExrColor> exrColor(const std::vector<ExrChannel>& channels) {
     return best;
 }
 
-std::optional<ExrChannel> exrDepth(const std::vector<ExrChannel>& channels, const std::string& colorLayer) {
+std::optional<ExrChannel> exrDepth(const std::vector<ExrChannel>& channels) {
     using Preference = std::tuple<bool, int>;
     std::optional<Preference> least;
     std::optional<ExrChannel> best;
-    const std::string_view view = firstComponent(colorLayer);
+    const auto color = exrColor(channels);
+    const std::string_view view = color ? firstComponent(color->layer) : std::string_view();
     for (const ExrChannel& channel : channels) {
         const auto rank = depthRank(channels, channel);
         if (!rank) continue;

@@ -39,10 +39,9 @@ struct ExrColor {
 [[nodiscard]] std::optional<ExrColor> exrColor(const std::vector<ExrChannel>& channels);
 
 /// Distance from the camera plane: Z, a layer or component called depth (ZDepth, VRayZDepth, Pz), or Z of a layer that
-/// has no X and Y. Never a component of normals, positions or vectors, and no mist. That of `colorLayer`'s view or
-/// render layer first. Nullopt = the file has none.
-[[nodiscard]] std::optional<ExrChannel> exrDepth(const std::vector<ExrChannel>& channels,
-                                                 const std::string& colorLayer);
+/// has no X and Y. Never a component of normals, positions or vectors, and no mist. That of the view or
+/// render layer of exrColor first. Nullopt = the file has none.
+[[nodiscard]] std::optional<ExrChannel> exrDepth(const std::vector<ExrChannel>& channels);
 
 /// Numbers of objects: IndexOB, otherwise another layer of that kind. Nullopt = the file has none.
 [[nodiscard]] std::optional<ExrChannel> exrIndices(const std::vector<ExrChannel>& channels);

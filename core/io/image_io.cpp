@@ -224,7 +224,7 @@ bool sameNumbers(const ImageF& a, const ImageF& b) {
 ImageF readExrScalar(ImageReader& reader, const std::string& path, Notes* remarks) {
     const std::vector<ExrChannel> channels = exrChannels(reader.parts());
     const auto color = exrColor(channels);
-    auto scalar = exrDepth(channels, color ? color->layer : std::string());
+    auto scalar = exrDepth(channels);
     if (scalar && scalar->name() != "Z")
         say(remarks, Message("messages", "The depth is channel \"%1\" of \"%2\".").with(scalar->name(), path));
     if (!scalar && !color) scalar = plainChannel(channels, "Y");
@@ -301,8 +301,7 @@ ImageInfo readInfo(ImageReader& reader) {
     if (reader.format() != "openexr") return info;
     const std::vector<OIIO::ImageSpec> parts = reader.parts();
     const std::vector<ExrChannel> channels = exrChannels(parts);
-    const auto color = exrColor(channels);
-    const auto depth = exrDepth(channels, color ? color->layer : std::string());
+    const auto depth = exrDepth(channels);
     info.hasDepthChannel =
         depth && parts[static_cast<std::size_t>(depth->part)].channelformat(depth->index).is_floating_point();
     return info;
@@ -334,8 +333,7 @@ ImageF loadCoverage(const std::string& path) {
     ImageReader reader(path);
     const std::vector<OIIO::ImageSpec> parts = reader.parts();
     const std::vector<ExrChannel> channels = exrChannels(parts);
-    const auto color = exrColor(channels);
-    const auto depth = exrDepth(channels, color ? color->layer : std::string());
+    const auto depth = exrDepth(channels);
     if (!depth || parts[static_cast<std::size_t>(depth->part)].deep) return {};
     for (const ExrChannel& channel : channels) {
         if (channel.part != depth->part || !isAlpha(channel)) continue;

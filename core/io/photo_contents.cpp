@@ -10,9 +10,10 @@ namespace core {
 
 namespace {
 
-std::optional<float> fieldOfView(int width, int height, std::optional<float> focal35mm) {
-    if (!focal35mm) return std::nullopt;
-    return static_cast<float>(2 * std::atan(0.5 * width / focalInPixels(*focal35mm, width, height)));
+std::optional<float> fieldOfView(const ImageInfo& info) {
+    if (!info.focal35mm) return std::nullopt;
+    const double width = info.width * static_cast<double>(info.pixelAspect);
+    return static_cast<float>(2 * std::atan(0.5 * width / focalInPixels(*info.focal35mm, width, info.height)));
 }
 
 }  // namespace
@@ -26,7 +27,7 @@ PhotoContents contentsOf(const PhotoFiles& files) {
     contents.width = files.info.width;
     contents.height = files.info.height;
     contents.device = files.info.device;
-    contents.hfov = fieldOfView(contents.width, contents.height, files.info.focal35mm);
+    contents.hfov = fieldOfView(files.info);
     contents.depthWidth = files.depth.width();
     contents.depthHeight = files.depth.height();
     if (files.depthImported) {

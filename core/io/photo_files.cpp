@@ -155,7 +155,8 @@ PhotoFiles readStoredDepth(const std::string& color, const std::string& depth) {
     if (!depth.empty()) files.depthImported = importDepth(depth);
     if (files.depthImported) {
         ImportedPhoto& other = *files.depthImported;
-        files.depth = matchOrientation(std::move(other.depth), depth, what, camera, 1, 1, color);
+        files.depth = reduceLarger(matchOrientation(std::move(other.depth), depth, what, camera, 1, 1, color), depth,
+                                   camera, &files.depthRemarks);
         if (other.camera) other.camera = resized(*other.camera, camera.width, camera.height);
         other.color = {};
         other.depth = {};

@@ -28,7 +28,7 @@ OIIO::ImageSpec part(const Names& names, const std::string& name = {}) {
 std::pair<std::string, std::string> chosenOf(const std::vector<OIIO::ImageSpec>& parts) {
     const std::vector<ExrChannel> channels = core::exrChannels(parts);
     const auto color = core::exrColor(channels);
-    const auto depth = core::exrDepth(channels, color ? color->layer : std::string());
+    const auto depth = core::exrDepth(channels);
     return {color ? color->layer : "-", depth ? depth->name() : "-"};
 }
 

@@ -339,6 +339,13 @@ TEST_F(ImportTest, DepthOfAnotherFileKeepsItsMeaning) {
     core::saveProject(scene, folder / "p.patina");
     EXPECT_EQ(core::loadProject(folder / "p.patina").photo->depth.image(), scene.photo->depth.image());
 
+    test::writeBytes(folder / "small.jpg", grey(8, 4, 90));
+    options.color = folder / "small.jpg";
+    const core::Scene small = core::createScene(options, &notes);
+    EXPECT_EQ(small.photo->depth.width(), 8) << "smaller than the depth that the phone stored";
+    EXPECT_NEAR(small.photo->depth(4, 2), 1 / (0.5 + 100 / 255.0 * 2), 0.01);
+    EXPECT_THAT(core::english(notes), testing::Contains(testing::HasSubstr("is reduced to the colour image (8x4)")));
+
     test::writeBytes(folder / "square.jpg", grey(32, 32, 90));
     options.color = folder / "square.jpg";
     test::expectError(ErrorKind::Input, {"16x8", "32x32", "phone.jpg"}, [&] { (void)core::createScene(options); });
